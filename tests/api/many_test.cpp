@@ -1,7 +1,9 @@
 // Requests to many agents at a time.
 
 #include <array>
+#include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -86,6 +88,25 @@ TEST(ManyAgents, ArePosedAsIfEachWereAskedAlone) {
   }
 }
 
+TEST(ManyAgents, MoveOnAPlaneAtBothParametersAsOneDoes) {
+  ApiCrowd crowd(2);
+  const ClipId walk = mannequin().find_clip("walk");
+  const auto speed = static_cast<float>(mannequin().clip(walk).ground_speed);
+  const BlendPoint2d points[] = {{.clip = mannequin().find_clip("idle")}, {.clip = walk, .y = speed}};
+  const auto one = crowd.agent(0).add(BlendSpace2d{.points = points});
+  const auto other = crowd.agent(1).add(BlendSpace2d{.points = points});
+  ASSERT_TRUE(one && other);
+  const ParameterRequest request{.agent = {1}, .channel = *other, .x = 0.0F, .y = 0.5F * speed};
+  EXPECT_TRUE(crowd.agent(0).set_parameters(*one, 0.0F, 0.5F * speed));
+  EXPECT_TRUE(crowd->many().set_parameters({&request, 1}));
+  crowd.step(60);
+  const Ticks before = crowd->clock();
+  crowd.step(60);
+  std::array<RootMotion, 2> ways;
+  EXPECT_TRUE(crowd->many().displacements(before, crowd->clock(), crowd->agents(), ways));
+  for (const RootMotion& way : ways) EXPECT_NEAR(way.displacement.z, 0.5F * speed, 0.02F);
+}
+
 TEST(ManyAgents, TakeTheLastOfTwoRequestsToAnAgent) {
   Walkers twice(2), once(1);
   const std::array both{ParameterRequest{{3}, twice.gaits[3], 3.4F}, ParameterRequest{{3}, twice.gaits[3], 0.3F}};
@@ -133,6 +154,22 @@ TEST(ManyAgents, LeaveOutWhatCannotBeMetAndReportItOnce) {
   EXPECT_EQ(some.crowd.hash(), good.crowd.hash());
 }
 
+TEST(ManyAgents, LeaveAnAgentAloneThatHasTheNumberOfOneWhoIsGone) {
+  const HeardMisuses heard;
+  ApiCrowd crowd(2);
+  const AgentId gone = crowd->agents()[1];
+  crowd->remove_agent(gone);
+  const AgentId next = crowd->add_agent();
+  ASSERT_EQ(next.number, gone.number);
+  crowd->agent(next).play({.clip = mannequin().find_clip("walk")});
+  const SpeedRequest late{.agent = gone, .speed = 2.0F};
+  EXPECT_FALSE(crowd->many().set_speeds({&late, 1}));
+  RootMotion way;
+  crowd->advance(ticks_per_second);
+  EXPECT_TRUE(crowd->many().displacements({}, ticks_per_second, {&next, 1}, {&way, 1}));
+  EXPECT_NEAR(way.displacement.z, mannequin().clip(mannequin().find_clip("walk")).ground_speed, 0.05);
+}
+
 TEST(ManyAgents, TellHowTheyMoveAsEachDoesAlone) {
   Walkers walkers(2);
   const Ticks before = walkers.crowd->clock();
@@ -153,6 +190,7 @@ TEST(ManyAgents, TellHowTheyMoveAsEachDoesAlone) {
     const Agent own = walkers.crowd->agent(agent);
     EXPECT_EQ(own.motion().displacement(before, now).displacement, ways[agent.number].displacement);
     EXPECT_EQ(own.processes().socket(walkers.sockets[agent.number]).position, places[agent.number].position);
+    EXPECT_EQ(own.processes().socket(walkers.sockets[agent.number]).rotation, places[agent.number].rotation);
     own.motion().for_each_key(before, now, [&](const DataKey& key) {
       ASSERT_LT(next, keys.size());
       EXPECT_EQ(keys[next].agent, agent);
@@ -160,6 +198,8 @@ TEST(ManyAgents, TellHowTheyMoveAsEachDoesAlone) {
     });
   }
   EXPECT_EQ(next, keys.size());
+  EXPECT_LT(walkers.crowd->many().keys(before, now, all, KeyChoice::heaviest).size(), next)
+      << "some stand more than walk";
 }
 
 TEST(ManyAgents, SayThatAnAgentIsGoneAndAnswerForTheOthers) {
@@ -178,16 +218,39 @@ TEST(ManyAgents, SayThatAnAgentIsGoneAndAnswerForTheOthers) {
                                                HasSubstr("ManyAgents::keys: an agent of this id")));
 }
 
-TEST(ManyAgents, RefuseAnswersWithoutRoomAndSocketsThatThereAreNot) {
+TEST(ManyAgents, TellTheirTurnsToo) {
+  CharacterBuilder builder("dancer");
+  builder.add_bone({.name = "hips", .rest = {.translation = {0.0F, 1.0F, 0.0F}}});
+  const float seconds[] = {0.0F, 1.0F}, half = std::sqrt(0.5F);
+  const Quat turns[] = {{}, {.y = half, .w = half}};
+  const Vec3 places[] = {{0.0F, 1.0F, 0.0F}, {1.0F, 1.0F, 2.0F}};
+  const int clip = builder.add_clip("turn", 1.0);
+  builder.set_rotations(clip, 0, {.seconds = seconds, .values = turns});
+  builder.set_translations(clip, 0, {.seconds = seconds, .values = places});
+  Crowd crowd = std::move(*Crowd::create(builder.build()->characters.front()));
+  const AgentId agent = crowd.add_agent();
+  crowd.agent(agent).play({.clip = {0}, .loop = false});
+  crowd.advance(ticks_per_second);
+  RootMotion way;
+  EXPECT_TRUE(crowd.many().displacements({}, ticks_per_second, {&agent, 1}, {&way, 1}));
+  EXPECT_NEAR(way.turn, 2.0F * std::atan2(half, half), 0.01F);
+}
+
+TEST(ManyAgents, RefuseAnswersWithoutRoomTimesFarOffAndSocketsThatThereAreNot) {
   const HeardMisuses heard;
   Walkers walkers(1);
   const std::array ids{AgentId{0}, AgentId{1}};
   std::array<RootMotion, 1> short_of_one;
   EXPECT_FALSE(walkers.crowd->many().displacements({}, {}, ids, short_of_one));
+  std::array<RootMotion, 2> ways;
+  EXPECT_FALSE(walkers.crowd->many().displacements(ticks_per_second * -100'000, {}, ids, ways));
+  EXPECT_TRUE(walkers.crowd->many().keys({}, ticks_per_second * 61, ids).empty());
   const ProcessOf gaze{.agent = {0}, .process = walkers.gazes[0]};
   std::array<Place, 1> place;
   EXPECT_FALSE(walkers.crowd->many().sockets({&gaze, 1}, place));
   EXPECT_THAT(HeardMisuses::all(), ElementsAre(HasSubstr("ManyAgents::displacements: there is no room"),
+                                               HasSubstr("ManyAgents::displacements: times are within a day"),
+                                               HasSubstr("ManyAgents::keys: an interval is a minute at most"),
                                                HasSubstr("ManyAgents::sockets: an agent has no socket")));
 }
 

@@ -168,7 +168,6 @@ TEST(ApiProcesses, RefuseWhatTheyAreNot) {
   EXPECT_FALSE(crowd.agent(0).add(ChainReach{.first = "no", .last = "bones"}));
   EXPECT_FALSE(crowd.agent(0).add(Socket{.bone = -1}));
   EXPECT_FALSE(crowd->add_step(0, {.name = "nothing"}));
-  EXPECT_FALSE(crowd.agent(0).processes().look_at(*gaze, {NAN, 0.0F, 0.0F}));
   EXPECT_EQ(crowd.agent(0).processes().socket(*gaze).position, Vec3{});
   crowd.step(3);
 }
@@ -194,6 +193,50 @@ TEST(ApiProcesses, ReturnFalseForWhatTheyReport) {
             "Agent::add: the parameter of a blend space is a finite number");
 }
 
+TEST(ApiProcesses, RefuseATargetThatIsNoNumberAndAFadeIntoThePast) {
+  const HeardMisuses heard;
+  ApiCrowd crowd = idling();
+  const Processes processes = crowd.agent(0).processes();
+  const auto gaze = crowd.agent(0).add(LookAt{}), arm = crowd.agent(0).add(Reach{});
+  const auto feet = crowd.agent(0).add(FootPlacement{});
+  ASSERT_TRUE(gaze && arm && feet);
+  EXPECT_FALSE(processes.look_at(*gaze, {NAN, 0.0F, 0.0F}));
+  EXPECT_FALSE(processes.look_at(*gaze, {}, Ticks{-1}));
+  EXPECT_FALSE(processes.reach(*arm, {0.0F, NAN, 0.0F}));
+  EXPECT_FALSE(processes.set_placement(*feet, {.position = {0.0F, 0.0F, NAN}}));
+  EXPECT_FALSE(processes.set_placement(*feet, {.rotation = {0.0F, 0.0F, 0.0F, 0.0F}}));
+  EXPECT_FALSE(processes.set_ground(*feet, 99, {}, {0.0F, 1.0F, 0.0F}));
+  EXPECT_EQ(heard.all().size(), 6U);
+}
+
+TEST(ApiProcesses, AHeadTurnsBySmallStepsWhereAGazeFades) {
+  ApiCrowd crowd = idling(2);
+  const Vec3 target{3.0F, 1.6F, 3.0F};
+  for (const AgentId agent : crowd->agents()) {
+    const auto gaze = crowd->agent(agent).add(LookAt{.smooth_seconds = 0.0F});
+    ASSERT_TRUE(gaze);
+    EXPECT_TRUE(crowd->agent(agent).processes().look_at(*gaze, target, agent.number == 0 ? Ticks{} : ticks_per_second));
+  }
+  crowd.step(3);
+  const auto face = std::size_t{12} * static_cast<std::size_t>(*mannequin().find_bone("head")) + 2;
+  EXPECT_GT(crowd.palette({.number = 0})[face], crowd.palette({.number = 1})[face] + 0.2F);
+}
+
+TEST(ApiProcesses, TheGroundOfOneLegLeavesTheOther) {
+  ApiCrowd crowd = idling();
+  const Agent agent = crowd.agent(0);
+  const auto feet = agent.add(FootPlacement{});
+  const auto left = agent.add(Socket{.bone = *mannequin().find_bone("foot.L")});
+  const auto right = agent.add(Socket{.bone = *mannequin().find_bone("foot.R")});
+  ASSERT_TRUE(feet && left && right);
+  EXPECT_TRUE(agent.processes().set_ground(*feet, 1, {0.0F, 0.15F, 0.0F}, {0.0F, 1.0F, 0.0F}));
+  crowd.step(60);
+  const Vec3 a = agent.processes().socket(*left).position, b = agent.processes().socket(*right).position;
+  const Vec3 &higher = a.y > b.y ? a : b, &lower = a.y > b.y ? b : a;
+  EXPECT_NEAR(higher.y - lower.y, 0.15F, 0.03F);
+  EXPECT_NEAR(agent.processes().ankle(*feet, 1).x, higher.x, 0.03F);
+}
+
 TEST(ApiProcesses, RefuseAGroundWhoseNormalIsNotOfLengthOne) {
   const HeardMisuses heard;
   ApiCrowd crowd(1);
@@ -203,6 +246,7 @@ TEST(ApiProcesses, RefuseAGroundWhoseNormalIsNotOfLengthOne) {
   ASSERT_TRUE(feet);
   EXPECT_TRUE(agent.processes().set_ground(*feet, -1, {}, {0.0F, 1.0F, 0.0F}));
   EXPECT_FALSE(agent.processes().set_ground(*feet, -1, {}, {0.0F, 2.0F, 0.0F}));
+  EXPECT_FALSE(agent.processes().set_ground(*feet, -1, {}, {0.0F, -1.0F, 0.0F})) << "it faces down";
   EXPECT_FALSE(agent.processes().set_ground(*feet, -1, {}, {-3.4e38F, 32767.0F, 1.25F}));
   EXPECT_FALSE(agent.processes().set_ground(*feet, -1, {0.0F, 1e30F, 0.0F}, {0.0F, 1.0F, 0.0F}));
 }

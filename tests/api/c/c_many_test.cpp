@@ -133,6 +133,24 @@ TEST(ApiCMany, FailWhereATimeIsNoNumber) {
   EXPECT_STRNE(throng_last_error(), "");
 }
 
+TEST(ApiCMany, TellOfTheTimeAndTheKeysThatAreAskedFor) {
+  const CWalkers walkers;
+  ask_all(walkers);
+  walkers.step(120);
+  throng_root_motion ways[3], way;
+  ASSERT_EQ(throng_crowd_displacements(walkers.crowd, 1.5, 2.0, walkers.ids.data(), 3, ways), 0);
+  throng_agent_displacement(walkers.crowd, walkers.ids[0], 1.5, 2.0, &way);
+  EXPECT_EQ(ways[0].displacement[2], way.displacement[2]);
+  const throng_parameter_request slow{.agent = walkers.ids[0], .channel = walkers.gaits[0], .x = 0.3F, .y = 0.0F};
+  EXPECT_EQ(throng_crowd_set_parameters(walkers.crowd, &slow, 1), 0);
+  walkers.step(240);
+  const auto count = [&](std::uint32_t choice) {
+    return throng_crowd_keys(walkers.crowd, 4.0, 6.0, walkers.ids.data(), 1, choice, nullptr, 0);
+  };
+  EXPECT_GT(count(THRONG_KEYS_FELT), 0U);
+  EXPECT_EQ(count(THRONG_KEYS_HEAVIEST), 0U) << "it stands more than it walks";
+}
+
 TEST(ApiCMany, FailWhereOneRequestCannotBeMet) {
   const CWalkers walkers;
   const throng_speed_request speed{.agent = walkers.ids[0], .speed = 2.0F};

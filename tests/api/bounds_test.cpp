@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/anim/agent/heard_misuses.h"
 #include "tests/api/api_crowd.h"
+#include "tests/api/smiling.h"
 
 namespace throng::bounds_test {
 namespace {
@@ -107,6 +109,25 @@ TEST(BoundsOfAClip, HoldItsPoses) {
     }
   }
   EXPECT_EQ(mannequin().bounds(ClipId{99}), BoundingBox{});
+}
+
+TEST(BoundsOfAClip, OfABodyInTheAirEndAboveTheGround) {
+  CharacterBuilder builder("bird");
+  builder.add_bone({.name = "body", .rest = {.translation = {0.0F, 5.0F, 0.0F}}});
+  builder.add_bone({.name = "head", .parent = 0, .rest = {.translation = {0.0F, 1.0F, 0.0F}}});
+  const BoundingBox bounds = builder.build()->characters.front().bounds(ClipId{0});
+  EXPECT_NEAR(bounds.low.y, 5.0F, 0.001F);
+  EXPECT_NEAR(bounds.high.y, 6.0F, 0.001F);
+}
+
+TEST(BoundsOfAnAgent, HaveRoomForWhatMorphsAdd) {
+  Crowd crowd = std::move(*Crowd::create(api_test::smiling()));
+  const AgentId agent = crowd.add_agent();
+  crowd.agent(agent).play({.clip = {0}});
+  const BoundingBox bounds = crowd.bounds(agent);
+  const float thinnest =
+      std::min({bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y, bounds.high.z - bounds.low.z});
+  EXPECT_GE(thinnest, 1.0F) << "half a metre on each side of a line";
 }
 
 TEST(BoundsOfACharacter, HoldThePosesOfAllItsClips) {

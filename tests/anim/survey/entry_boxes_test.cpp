@@ -37,6 +37,13 @@ TEST(EntryBoxes, AreTurnedAndMovedByThePalette) {
   EXPECT_EQ(box.high, glm::dvec3(4.0, 6.0, 2.0));
 }
 
+TEST(EntryBoxes, GrowWithAPaletteThatScales) {
+  constexpr PaletteMatrix grow{{{3, 0, 0, 0}, {0, -2, 0, 0}, {0, 0, 1, 0}}};
+  const Box box = posed_box(entry_boxes(two_vertices()), std::vector{grow, grow, grow});
+  EXPECT_EQ(box.low, glm::dvec3(0.0, -2.0, 0.0));
+  EXPECT_EQ(box.high, glm::dvec3(12.0, 0.0, 2.0));
+}
+
 TEST(EntryBoxes, OfAModelWithoutSurfaceAreThoseOfItsJoints) {
   const std::vector<Box> boxes = entry_boxes(synthetic_model(3, 1));
   for (const Box& box : boxes) EXPECT_FALSE(box.is_empty());

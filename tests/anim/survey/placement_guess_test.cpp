@@ -205,5 +205,13 @@ TEST(CharacterBounds, HoldAWalkInACircleThoughItEndsWhereItBegan) {
   EXPECT_GT(bake_character(model).bounds.reach, 6.0);
 }
 
+TEST(CharacterBounds, LeaveOutTheWayThatAClipTravels) {
+  Model model = body(1.8F);
+  Clip& clip = model.clips.emplace_back(Clip{.name = "straight", .duration = 4.0, .tracks = {}});
+  Track<glm::vec3> track{.times = {0.0F, 4.0F}, .values = {{0.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 6.0F}}};
+  clip.tracks.push_back({.bone = 0, .translation = track, .rotation = {}, .scale = {}});
+  EXPECT_LT(bake_character(model).bounds.reach, 2.0);
+}
+
 }  // namespace
 }  // namespace throng::anim::placement_guess_test

@@ -53,6 +53,15 @@ TEST(CloseLoop, RepeatsTheTangentsOfACubicKeyAndTheWeightsOfMorphs) {
   EXPECT_THAT(clip.curves[0].values, ElementsAre(5.0F, 6.0F, 5.0F));
 }
 
+TEST(CloseLoop, ClosesRotationsAndScalesToo) {
+  Clip clip = clip_of({});
+  clip.tracks[0].scale = moved({0.0F, 0.75F});
+  clip.tracks[0].rotation = {.interpolation = Interpolation::linear, .times = {0.0F, 0.75F}, .values = {{}, {}}};
+  close_loop(clip, 0.25);
+  EXPECT_THAT(clip.tracks[0].scale.times, ElementsAre(0.0F, 0.75F, 1.0F));
+  EXPECT_THAT(clip.tracks[0].rotation.times, ElementsAre(0.0F, 0.75F, 1.0F));
+}
+
 TEST(CloseLoop, LeavesBonesWithoutKeysAlone) {
   Clip clip = clip_of({});
   close_loop(clip, 0.25);

@@ -245,6 +245,10 @@ TEST(TravelBySteps, LeavesClipsThatTravelOrStand) {
   const glm::dvec3 before = strides.clips.front().loop_displacement;
   travel_by_steps(strides);
   EXPECT_EQ(strides.clips.front().loop_displacement, before);
+  Character strolls = bake_character(walker_in_place(1.4F));
+  strolls.clips.front().root_motion = straight_root_curve(strolls.clips.front().duration, {0.0, 0.0, 5.0});
+  travel_by_steps(strolls);
+  EXPECT_EQ(whole_motion(strolls.clips.front().root_motion).translation.z, 5.0);
   Character stands = bake_character(synthetic_model(62, 1));
   travel_by_steps(stands);
   EXPECT_TRUE(stands.clips.front().root_motion.keys.empty());

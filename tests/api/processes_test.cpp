@@ -1,9 +1,7 @@
 // What changes an agent's final pose.
 
-#include <algorithm>
 #include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>

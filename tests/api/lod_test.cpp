@@ -127,8 +127,11 @@ TEST(ApiLod, RefusesFramesThatAreNone) {
   frame = row.frame;
   frame.rules.largest_interval = 99;
   EXPECT_TRUE(row.lod.select(*row.crowd, frame).empty());
+  frame = row.frame;
+  frame.camera.forward = {};
+  EXPECT_TRUE(row.lod.select(*row.crowd, frame).empty());
   row.lod.settle(*row.crowd);
-  EXPECT_EQ(heard.all().size(), 3U);
+  EXPECT_EQ(heard.all().size(), 4U);
 }
 
 }  // namespace

@@ -101,6 +101,17 @@ TEST_F(Person, IgnoresWhatItIsNotToldRight) {
   EXPECT_EQ(StateMachine().find_input("speed"), std::nullopt);
 }
 
+TEST(StateMachine, IsRefusedByAnAgentOfAnotherCharacter) {
+  const HeardMisuses heard;
+  CharacterBuilder builder("stranger");
+  builder.add_bone({.name = "root"});
+  for (std::uint32_t clip = 0; clip < mannequin().clip_count(); ++clip) builder.add_clip("clip", 1.0);
+  Crowd crowd = std::move(*Crowd::create(builder.build()->characters.front()));
+  const auto added = crowd.agent(crowd.add_agent()).add(*StateMachine::parse(person, mannequin()));
+  ASSERT_FALSE(added);
+  EXPECT_EQ(added.error().message, "Agent::add: the state machine was made for another character");
+}
+
 TEST(StateMachine, IsReadFromAFile) {
   const std::string path = testing::TempDir() + "state_machine_test.json";
   std::ofstream(path) << person;

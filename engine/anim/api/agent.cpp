@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -133,8 +134,14 @@ Result<ChannelId> Agent::add(const BlendSpace2d& space, const Layer& layer) cons
 
 Result<ChannelId> Agent::add(const StateMachine& machine, const Layer& layer) const {
   if (!machine) return anim::refuse({"Agent::add", "the state machine is empty"});
-  for (const ClipId clip : machine.data()->clips) {
-    if (const char* const fault = crowd_->fault_of(id_, clip); fault != nullptr)
+  const detail::CrowdCharacter* const own = crowd_->character_of(id_, "Agent::add");
+  if (own == nullptr) return Error{detail::no_agent};
+  const detail::MachineData& data = *machine.data();
+  for (std::size_t i = 0; i < data.clips.size(); ++i) {
+    const std::string_view name = own->character.clip({data.clips[i].number}).name;
+    if (!name.empty() && name != data.names[i])
+      return anim::refuse({"Agent::add", "the state machine was made for another character"});
+    if (const char* const fault = crowd_->fault_of(id_, data.clips[i]); fault != nullptr)
       return anim::refuse({"Agent::add", fault});
   }
   auto channel = std::make_unique<anim::StateMachineChannel>(machine.data()->machine);

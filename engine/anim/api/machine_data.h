@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "throng/ids.h"
@@ -12,7 +13,8 @@ namespace throng::detail {
 /// The inside of a StateMachine.
 struct MachineData {
   std::shared_ptr<const anim::StateMachine> machine;
-  std::vector<ClipId> clips;  // that its states play
+  std::vector<ClipId> clips;       // that its states play
+  std::vector<std::string> names;  // of these clips
 };
 
 }  // namespace throng::detail

@@ -22,9 +22,11 @@ Result<StateMachine> made_for(const anim::MachineDescription& description, const
   const anim::Character& baked = *character.data()->baked;
   auto machine = anim::StateMachine::create(description, baked);
   if (!machine) return machine.error();
-  detail::MachineData data{.machine = std::move(*machine), .clips = {}};
-  data.machine->for_each_clip(
-      [&](int clip) { data.clips.push_back(detail::id_of(baked, static_cast<std::uint32_t>(clip))); });
+  detail::MachineData data{.machine = std::move(*machine), .clips = {}, .names = {}};
+  data.machine->for_each_clip([&](int clip) {
+    data.clips.push_back(detail::id_of(baked, static_cast<std::uint32_t>(clip)));
+    data.names.push_back(baked.clips[static_cast<std::size_t>(clip)].name);
+  });
   return StateMachine(std::make_shared<const detail::MachineData>(std::move(data)));
 }
 #else

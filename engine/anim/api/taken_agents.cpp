@@ -30,6 +30,7 @@ const char* fault_of(const SaidAgents& said, std::size_t numbers) {
 
 const char* fault_of(const Camera& camera) {
   if (!is_place(camera.position) || !is_place(camera.forward)) return "a camera's place and direction are numbers";
+  if (camera.forward == Vec3{}) return "a camera's direction is not 0";
   for (const std::array<float, 4>& plane : camera.frustum) {
     for (const float number : plane) {
       if (!(std::abs(number) <= farthest)) return "the planes of a camera are numbers";

@@ -103,15 +103,16 @@ std::string in_words(const LocalStoreDemand& demand) {
 }
 
 Error too_small(std::span<const UpdateContext> contexts, const LocalStoreDemand& demand, std::size_t size) {
-  const std::size_t needed = local_store_bytes(contexts, demand, 1);
+  const std::size_t needed = local_store_bytes(contexts, demand, 1), whole = (needed + kib - 1) / kib;
   return {in_words(demand) + " needs " + std::to_string(needed) + " bytes of local store for one character, not " +
-          std::to_string(size) + ": the smallest that works is " + std::to_string((needed + kib - 1) / kib) + " KiB"};
+          std::to_string(size) + ": the smallest that works is " + std::to_string(whole * kib) + " (--local-store " +
+          std::to_string(whole) + ")"};
 }
 
 Error too_wide(const LocalStoreDemand& demand, std::size_t size, int tile, int fits) {
   return {"a tile of " + std::to_string(tile) + " characters does not fit the local store of " +
           std::to_string(size / kib) + " KiB for " + in_words(demand) + ": the largest tile that fits is " +
-          std::to_string(fits)};
+          std::to_string(fits) + " (--tile " + std::to_string(fits) + ")"};
 }
 
 }  // namespace

@@ -71,8 +71,7 @@ TEST(LocalStorePlan, ASkeletonThatDoesNotFitIsNamedWithTheSmallestStoreThatWorks
   constexpr std::string_view smallest = "the smallest that works is ";
   ASSERT_THAT(error, AllOf(HasSubstr("skeleton"), HasSubstr("levels"), HasSubstr("keyframe"), HasSubstr(smallest)));
   const std::size_t works = std::stoul(error.substr(error.find(smallest) + smallest.size()));
-  const SystemOptions larger{
-      .local_store_bytes = works * kib, .schedule = Schedule::levels, .stream = StreamKind::keyframe};
+  const SystemOptions larger{.local_store_bytes = works, .schedule = Schedule::levels, .stream = StreamKind::keyframe};
   SystemOptions smaller = larger;
   smaller.local_store_bytes -= kib;
   EXPECT_EQ(error_of(300, larger), "");

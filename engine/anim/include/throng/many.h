@@ -7,8 +7,8 @@
 #include "throng/standard.h"
 #include "throng/ticks.h"
 
-/// Requests to many agents at a time. A call does what one call for each element does, on all PUs of the crowd. On one
-/// PU it saves what each call costs; on several it wakes the others, which pays from about a thousand agents on.
+/// Requests to many agents at a time. A call does what one call for each element does, on all PUs of the crowd. A call
+/// about fewer than 512 elements wakes no other PU.
 namespace throng {
 
 /// A request as Agent::set_speed takes it.

@@ -10,6 +10,7 @@
 
 #include "engine/anim/api/character_data.h"
 #include "engine/anim/api/chosen_rig.h"
+#include "engine/anim/api/crowd_parts.h"
 #include "engine/anim/asset/model_check.h"
 #include "engine/anim/asset/placement.h"
 #include "engine/anim/asset/reference_frames.h"
@@ -36,7 +37,7 @@ using detail::BuilderData;
 
 /// Returns what a builder was told; null, after a report, if it was moved from.
 BuilderData* data_of(const std::unique_ptr<BuilderData>& data, const char* call) {
-  if (data == nullptr) anim::report_misuse({call, "it was moved from"});
+  if (data == nullptr) anim::report_misuse({call, detail::was_moved_from});
   return data.get();
 }
 
@@ -311,7 +312,7 @@ void CharacterBuilder::add_mesh(const MeshView& mesh) {
 }
 
 Result<LoadedFile> CharacterBuilder::build(const LoadOptions& options) const {
-  if (data_ == nullptr) return anim::refuse({"CharacterBuilder::build", "it was moved from"});
+  if (data_ == nullptr) return anim::refuse({"CharacterBuilder::build", detail::was_moved_from});
   const std::string name = plain_text(data_->model.skeleton.name);
   if (!data_->fault.empty()) return Error{name + ": " + data_->fault};
   if (const Status valid = detail::check_options(name, options); !valid) return valid.error();
@@ -328,9 +329,8 @@ Result<LoadedFile> CharacterBuilder::build(const LoadOptions& options) const {
   if (options.scale > 0.0) placement.scale = options.scale;
   anim::place_model(model, placement);
   LoadedFile built;
-  const anim::MisuseListener misuses;
+  if (const Status valid = anim::check_model(model); !valid) return valid.error();
   anim::Character baked = detail::bake(model, options);
-  if (baked.skeleton.bones.empty()) return Error{name + ": " + misuses.reason()};
   detail::add_character(std::move(model), {}, std::move(baked), options, built);
   return built;
 }

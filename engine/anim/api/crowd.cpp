@@ -110,10 +110,7 @@ const char* detail::CrowdParts::fault_of(AgentId agent, ClipId clip) const {
 }
 
 detail::CrowdCharacter* detail::CrowdParts::character_of(AgentId agent, const char* call) {
-  const anim::Agent own = system->agent(agent);
-  if (own.exists()) return &characters[own.character_number()];
-  anim::report_misuse({call, detail::no_agent});
-  return nullptr;
+  return has(agent, call) ? &characters[system->agent(agent).character_number()] : nullptr;
 }
 
 Crowd::Crowd(std::unique_ptr<detail::CrowdParts> parts) : parts_(std::move(parts)) {}

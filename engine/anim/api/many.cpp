@@ -27,8 +27,6 @@ class Outcome {
   std::atomic<bool> all_{true};
 };
 
-bool has(const detail::CrowdParts& crowd, AgentId agent) { return crowd.system->agent(agent).exists(); }
-
 }  // namespace
 
 bool ManyAgents::set_speeds(std::span<const SpeedRequest> requests) const {
@@ -55,7 +53,7 @@ bool ManyAgents::displacements(Ticks from, Ticks to, std::span<const AgentId> ag
   if (!crowd_->are_near(from, to, call)) return false;
   Outcome outcome;
   crowd_->system->many().read(call, agents.size(), [&](std::size_t i) {
-    const bool is_here = outcome.note(has(*crowd_, agents[i]));
+    const bool is_here = outcome.note(Agent(*crowd_, agents[i]).exists());
     into[i] = is_here ? Motion(*crowd_, agents[i]).displacement(from, to) : RootMotion{};
   });
   return outcome.report(call, detail::no_agent);
@@ -73,7 +71,7 @@ std::span<const AgentKey> ManyAgents::keys(Ticks from, Ticks to, std::span<const
   Outcome outcome;
   crowd_->system->many().read_runs(call, agents.size(), [&](std::size_t run, std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i) {
-      if (!outcome.note(has(*crowd_, agents[i]))) continue;
+      if (!outcome.note(Agent(*crowd_, agents[i]).exists())) continue;
       Motion(*crowd_, agents[i])
           .for_each_key(
               from, to, [&](const DataKey& key) { runs[run].push_back({.agent = agents[i], .key = key}); }, choice);

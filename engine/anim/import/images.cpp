@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/anim/import/bytes/refusal.h"
+#include "engine/anim/import/memory/memory_account.h"
 #include "engine/anim/import/pixels/decode.h"
 #include "engine/anim/import/pixels/halve.h"
 
@@ -27,8 +28,8 @@ void scale_into(std::uint64_t share, anim::Image& image, const std::string& name
   while (image.rgba.size() > share && image.rgba.size() > 4) image = halved(image);
   if (sides_of(image) == before) return;
   repairs.push_back(name + ": scaled down from " + before + " to " + sides_of(image) +
-                    " pixels, because the images of its file would take too much memory; a larger memory limit "
-                    "(--memory-limit, LoadOptions::memory_limit) allows more");
+                    " pixels, because the images of its file would take too much memory; " + larger_limit +
+                    " allows more");
 }
 
 /// Decodes within the account's limit, and charges the account with the pixels.

@@ -56,8 +56,7 @@ std::uint64_t MemoryAccount::decoder_memory() const {
 void MemoryAccount::count_decoded(std::uint64_t bytes, const std::string& object) {
   if (!is_given_ && decoded_ > sum(limit_, most_decoded_memory)) {
     throw MemoryRefusal(object + " is one too many: the images before it have " + told(decoded_) +
-                        " of pixels; use fewer or smaller images, or a larger memory limit (--memory-limit, "
-                        "LoadOptions::memory_limit)");
+                        " of pixels; use fewer or smaller images, or " + larger_limit);
   }
   decoded_ = sum(decoded_, bytes);
 }
@@ -76,8 +75,7 @@ std::uint64_t MemoryAccount::json_allowance(std::uint64_t text) const {
 void MemoryAccount::refuse(std::uint64_t bytes, const std::string& object, std::uint64_t free) const {
   throw MemoryRefusal(object + " needs " + told(bytes) + " of memory, and " + told(sum(left(), free)) +
                       " are left of the " + told(sum(limit_, free)) +
-                      " that the import may take; use smaller images or meshes, or a larger memory limit "
-                      "(--memory-limit, LoadOptions::memory_limit)");
+                      " that the import may take; use smaller images or meshes, or " + larger_limit);
 }
 
 }  // namespace throng::import

@@ -18,6 +18,9 @@ inline constexpr std::uint64_t most_decoded_memory = 4'000'000'000;     ///< byt
 inline constexpr std::uint64_t free_memory_a_json_byte = 32;
 inline constexpr std::uint64_t most_free_json_memory = 256'000'000;  ///< bytes
 
+/// What lets an import hold more, as refusals name it.
+inline constexpr const char* larger_limit = "a larger memory limit (--memory-limit, LoadOptions::memory_limit)";
+
 /// Says that an import would hold more memory than it may. It is no Refusal, so that no caller mends the object and
 /// goes on.
 class MemoryRefusal : public std::runtime_error {

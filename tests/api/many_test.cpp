@@ -154,7 +154,7 @@ TEST(ManyAgents, LeaveOutWhatCannotBeMetAndReportItOnce) {
   EXPECT_EQ(some.crowd.hash(), good.crowd.hash());
 }
 
-TEST(ManyAgents, LeaveAnAgentAloneThatHasTheNumberOfOneWhoIsGone) {
+TEST(ManyAgents, LeaveAnAgentAloneThatHasTheNumberOfAnAgentThatIsGone) {
   const HeardMisuses heard;
   ApiCrowd crowd(2);
   const AgentId gone = crowd->agents()[1];

@@ -81,16 +81,16 @@ TEST(ApiMotion, TellsAListenerThatChangesTheCrowdWhatWasMet) {
   ApiCrowd crowd(3);
   for (std::uint32_t agent = 0; agent < 3; ++agent) crowd.agent(agent).play({.clip = mannequin().find_clip("walk")});
   crowd->advance(20 * ticks_per_second);  // more keys than a frame ever meets
-  std::vector<Ticks> met, met_by_who_stays;
+  std::vector<Ticks> met, met_by_another;
   crowd.agent(1).motion().for_each_key({}, crowd->clock(),
-                                       [&](const DataKey& key) { met_by_who_stays.push_back(key.time); });
+                                       [&](const DataKey& key) { met_by_another.push_back(key.time); });
   crowd.agent(0).motion().for_each_key({}, crowd->clock(), [&](const DataKey& key) {
     met.push_back(key.time);
     crowd->add_agents(500);
     crowd->remove_agent({0});
   });
   EXPECT_GT(met.size(), 20U);
-  EXPECT_EQ(met, met_by_who_stays);
+  EXPECT_EQ(met, met_by_another);
   const Crowd gone = [&] {
     std::optional<Crowd> taken;
     crowd.agent(2).motion().for_each_key({}, crowd->clock(), [&](const DataKey&) {

@@ -55,8 +55,8 @@ class Agent {
   CharacterId character() const;
 
   /// Plays a clip on the first channel, which fades between clips unless another kind was added first. It never waits
-  /// and never snaps: a fade may be interrupted at any time. Returns false also if the agent would have more than 64
-  /// parts, which its channels, their clips that play and fade, and its processes are.
+  /// and never snaps: a fade may be interrupted at any time. An agent has at most 64 parts: its channels, the clips
+  /// that they play and fade, and its processes. Returns false also if there would be more.
   bool play(const Play& request) const;
   bool play(ChannelId channel, const Play& request) const;
   /// Changes the speed of the clip on the first channel, without a jump.

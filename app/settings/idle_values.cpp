@@ -224,6 +224,7 @@ constexpr std::array idle_rules = std::to_array<Rule>({
     {"top_presence", of_scale<DebugView::presence>},
     {"density_cut_off", of_scale<DebugView::density>},
     {"trail_seconds", of_trails},
+    {"picture_size", of_what_is_drawn},
     {"bones_as_lines", of_what_is_drawn},
     {"scenery", of_scenery},
     {"sun_elevation", of_what_is_drawn},

@@ -8,6 +8,7 @@
 #include <limits>
 #include <system_error>
 
+#include "app/settings/quality.h"
 #include "app/settings/times_of_day.h"
 #include "engine/anim/kernel/choose_kernels.h"
 
@@ -196,6 +197,16 @@ std::string names_of_times() {
   names.reserve(times_of_day.size());
   for (const TimeOfDay& time : times_of_day) names.emplace_back(time.name);
   return joined(names, ", ", " or ");
+}
+
+ValueReader quality(DemoOptions& options) {
+  return [&options](const std::string& text) -> Complaint {
+    if (!take_quality(text, options.tuning)) return "must be low, medium, high or auto";
+    std::vector<std::string>& given = options.values_given.keys;
+    given.emplace_back("holds_rate");
+    if (!options.tuning.holds_rate) given.insert(given.end(), picture_cost_keys.begin(), picture_cost_keys.end());
+    return {};
+  };
 }
 
 ValueReader sun(render::SceneLight& light) {

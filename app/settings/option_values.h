@@ -69,6 +69,7 @@ ValueReader camera(DemoOptions& options);             ///< a name, follow:ID, or
 std::optional<double> finite_number_in(const std::string& text);
 /// Returns a camera of x,y,z,yaw,pitch[,fov], in metres and degrees; nothing where the text is none.
 std::optional<CameraPose> camera_pose_in(const std::string& text);
+ValueReader quality(DemoOptions& options);   ///< one of `qualities`, or auto
 ValueReader sun(render::SceneLight& light);  ///< a time of day, or elevation,azimuth in degrees
 /// Reads the name of a SIMD target that this build has and this machine runs.
 ValueReader simd_target(const anim::Kernels*& target);

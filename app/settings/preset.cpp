@@ -138,13 +138,15 @@ ValueReader preset_values(DemoOptions& options) {
     options.tuning = preset.tuning;
     options.camera = preset.camera;
     options.preset = file.string();
+    options.values_given.all = true;
     return {};
   };
 }
 
-ValueReader set_values(Tuning& tuning) {
-  return [&tuning](const std::string& text) -> Complaint {
-    Tuning taken = tuning;
+ValueReader set_values(DemoOptions& options) {
+  return [&options](const std::string& text) -> Complaint {
+    Tuning taken = options.tuning;
+    std::vector<std::string> keys;
     for (const std::string& part : parts_between_commas(text)) {
       const std::size_t equals = std::min(part.find('='), part.size());
       const std::string key = part.substr(0, equals);
@@ -152,8 +154,10 @@ ValueReader set_values(Tuning& tuning) {
       if (equals == part.size()) return "must be KEY=VALUE, with commas between several";
       if (row == nullptr) return "there is no key " + key + "; keys are " + known_preset_keys();
       if (const Complaint complaint = row->read(taken, part.substr(equals + 1))) return key + " " + *complaint;
+      keys.push_back(key);
     }
-    tuning = taken;
+    options.tuning = taken;
+    std::ranges::move(keys, std::back_inserter(options.values_given.keys));
     return {};
   };
 }

@@ -50,7 +50,7 @@ std::vector<std::string> preset_names();
 ValueReader preset_values(DemoOptions& options);
 
 /// Reads KEY=VALUE,... of tuning_values(), as `--set` takes them.
-ValueReader set_values(Tuning& tuning);
+ValueReader set_values(DemoOptions& options);
 
 /// Returns the options that turn `defaults` into `tuning` and place the camera: "--agents 5000 --set
 /// full_rate_distance=20 --camera 0,2,9,0,-5,50". Values that do not differ are left out.

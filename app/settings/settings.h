@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -106,7 +108,10 @@ struct Tuning {
   float density_cut_off = 1.0F;  ///< metres that a person's own ground reaches at most
   float trail_seconds = 0.0F;    ///< a recorded crowd's ways of so many seconds are drawn; 0: none
   bool bones_as_lines = false;
-  bool scenery = true;  ///< what stands around the crowd
+  bool scenery = true;       ///< what stands around the crowd
+  int picture_size = 100;    ///< per cent of a window's width and height in which the scene is drawn, 25 to 100
+  bool holds_rate = false;   ///< a window gives up size, triangles and shadows to show `frame_rate` frames a second
+  float frame_rate = 30.0F;  ///< frames a second, 5 to 240
   TakenAway taken_away{};
 
   friend bool operator==(const Tuning&, const Tuning&) = default;
@@ -167,6 +172,14 @@ struct OutputOptions {
   bool any() const { return !video.empty() || !pictures.empty() || !labels.empty(); }
 };
 
+/// The values that a person asks for. The device decides over others (app/show/figures/notices.h, DeviceChoices).
+struct GivenValues {
+  std::vector<std::string> keys;  ///< of tuning_values(), each one said by itself
+  bool all = false;               ///< a preset, a crowd file or a recording says all of them
+
+  bool has(std::string_view key) const { return all || std::ranges::find(keys, key) != keys.end(); }
+};
+
 /// The options of the demo (app/commands/command_line/README.md). It starts with `tuning`.
 struct DemoOptions {
   std::string crowd_file;                  ///< NAME.throng, which names the characters; empty: none was named
@@ -194,16 +207,15 @@ struct DemoOptions {
   std::optional<int> selected;      ///< an agent, from the start
   std::optional<std::string> view;  ///< the first character is shown alone, in this clip; empty: in any
   bool hide_ui = false;
+  bool no_settings = false;        ///< a window does not start as the last one was left (user_settings.h)
   float ui_scale = 1;              ///< multiplies every measure of the overlay
   int msaa = -1;                   ///< 0 or 4; -1: as much as the device affords
   std::string skin;                ///< a character of each model that has several, "all" of them; empty: the largest
   import::ImportOptions reading;   ///< of models: whether models in need of repair are refused, and sizes
   std::vector<RoleChoice> clips;   ///< these go before the role file and the clips that names suggest
-  bool agents_given = false;       ///< a software renderer shows fewer in a window unless given
-  bool error_given = false;        ///< a software renderer allows a larger error in a window unless given
+  GivenValues values_given;        ///< values of `tuning`
   std::optional<float> focus;      ///< metres ahead of the camera that are sharp in a still; unset: all is sharp
   float aperture = 1.4F;           ///< the f-number of its lens, on film 24 mm high
-  bool shadows_given = false;      ///< a software renderer draws no shadows and no crowd shade unless given
   std::vector<std::string> given;  ///< the options that the command line names, "--pus"
   bool force_software = false;     ///< EGL: never the graphics card; for tests
   std::optional<CameraPose> camera;

@@ -25,13 +25,15 @@ namespace {
 // The rough shares of a start that are over when the characters are loaded and when the crowd is placed.
 constexpr double share_of_characters = 0.6, share_of_crowd = 0.9;
 
-Tuning with_savings(Tuning tuning, const SoftwareSavings& spared) {
-  if (spared.agents > 0) tuning.agents = spared.agents;
-  if (spared.shadows) tuning.shadows = tuning.crowd_shade = false;
-  if (spared.error_px == 0.0F) return tuning;
-  tuning.triangle_budget = spared.triangles;
-  tuning.error_px = spared.error_px;
-  tuning.mesh_error_px = spared.error_px * mesh_share_of_error;
+Tuning with_choices(Tuning tuning, const DeviceChoices& device) {
+  if (device.agents > 0) tuning.agents = device.agents;
+  if (device.no_shadows) tuning.shadows = tuning.crowd_shade = false;
+  if (device.triangles > 0) tuning.triangle_budget = device.triangles;
+  if (device.frame_rate > 0.0F) tuning.frame_rate = device.frame_rate;
+  tuning.holds_rate |= device.holds_rate;
+  if (device.error_px == 0.0F) return tuning;
+  tuning.error_px = device.error_px;
+  tuning.mesh_error_px = device.error_px * mesh_share_of_error;
   return tuning;
 }
 
@@ -85,7 +87,7 @@ bool begin_tracks(Stage& stage, const DemoOptions& options, StartError& error) {
 
 bool open_stage(ShowParts& show, std::vector<CharacterSource> characters, const DemoOptions& options, StartLine& line,
                 StartError& error) {
-  Tuning tuning = with_savings(options.tuning, show.painter->savings());
+  Tuning tuning = with_choices(options.tuning, show.painter->device_choices());
   std::shared_ptr<const Trajectories> trajectories = show.live != nullptr ? show.live->trajectories() : nullptr;
   if (show.live == nullptr && !options.trajectories.file.empty()) {
     trajectories = read_tracks(options.trajectories, error);

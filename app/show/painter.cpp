@@ -22,12 +22,28 @@ constexpr float least_dressed_pixels = 45.0F;
 constexpr int software_window_agents = 300;
 constexpr float software_error_px = 3.0F;
 constexpr int software_triangles = 120'000;
+constexpr float card_frame_rate = 60.0F;
 constexpr std::size_t heap_page_bytes = std::size_t{16} << 20U;
 constexpr float frustum_reach = 120.0F;  // metres
 
 // A single last picture can afford its full quality anywhere, and a picture that is kept deserves it.
 bool draws_live(const DemoOptions& options) {
   return options.context == ContextKind::window || (options.draw == DrawWhich::all && !options.output.any());
+}
+
+DeviceChoices choices_of_device(const DemoOptions& options, bool is_software) {
+  const bool in_window = options.context == ContextKind::window, live = is_software && draws_live(options);
+  const auto is_free = [&](const auto&... keys) { return !(options.values_given.has(keys) || ...); };
+  DeviceChoices choices{.no_multisampling = live && options.msaa < 0,
+                        .no_shadows = live && is_free("shadows", "crowd_shade"),
+                        .holds_rate = in_window && is_free("holds_rate")};
+  if (!in_window) return choices;
+  if (!is_software && is_free("frame_rate")) choices.frame_rate = card_frame_rate;
+  if (!is_software) return choices;
+  if (is_free("agents")) choices.agents = software_window_agents;
+  if (is_free("error_px", "mesh_error_px", "budget_ms", "lod", "mesh_lod")) choices.error_px = software_error_px;
+  if (is_free("triangle_budget")) choices.triangles = software_triangles;
+  return choices;
 }
 
 void light_as_tuned(const Tuning& tuning, render::CrowdFrame& frame) {
@@ -101,17 +117,11 @@ Status Painter::open_renderer(const DemoOptions& options) {
   const auto data = find_data(data_folders(options.data), "shaders");
   if (!data) return data.error();
   const bool modest = is_on_software() && draws_live(options);
-  const bool in_window = is_on_software() && options.context == ContextKind::window;
-  const bool coarse = in_window && !options.error_given;
-  savings_ = {.agents = in_window && !options.agents_given ? software_window_agents : 0,
-              .multisampling = modest && options.msaa < 0,
-              .shadows = modest && !options.shadows_given,
-              .error_px = coarse ? software_error_px : 0.0F,
-              .triangles = coarse ? software_triangles : 0};
+  device_choices_ = choices_of_device(options, is_on_software());
   auto renderer = render::Renderer::create(
       *context_, {.data = data->parent_path(),
                   .size = {options.width, options.height},
-                  .samples = options.msaa >= 0 ? options.msaa : (savings_.multisampling ? 0 : 4),
+                  .samples = options.msaa >= 0 ? options.msaa : (device_choices_.no_multisampling ? 0 : 4),
                   .longest_tile = options.longest_tile,
                   .lights_at_vertices = modest,
                   .lens = lens_of(options)});
@@ -133,7 +143,7 @@ DrawnBy Painter::drawn_by() const {
 
 std::string Painter::notice() const {
   if (context_ == nullptr) return {};
-  std::string notice = software_notice(context_->renderer(), savings_);
+  std::string notice = software_notice(context_->renderer(), device_choices_);
   if (lines_left_out() > 0) add_line(notice, plan_notice(lines_left_out(), most_plan_lines));
   return notice;
 }

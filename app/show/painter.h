@@ -36,8 +36,7 @@ class Painter {
   bool draws() const { return renderer_ != nullptr; }
   bool is_on_software() const { return context_ != nullptr && context_->is_software(); }
   DrawnBy drawn_by() const;
-  /// Returns what is left out because a processor draws.
-  const SoftwareSavings& savings() const { return savings_; }
+  const DeviceChoices& device_choices() const { return device_choices_; }
   /// Says what is left out; empty where nothing is.
   std::string notice() const;
   /// Does what Scenery::lines_left_out does; known once a frame was drawn.
@@ -97,7 +96,7 @@ class Painter {
   SceneLines trail_lines_;
   Scenery scenery_;
   ThresholdsInView thresholds_;
-  SoftwareSavings savings_;
+  DeviceChoices device_choices_;
   std::vector<std::weak_ptr<const anim::Character>> loaded_;  // [mesh] the character that it shows
   std::uint64_t looks_number_ = 0;                            // number of the looks whose mesh LODs the stage knows
   float distance_scale_ = 1.0F;                               // of the characters whose meshes are loaded

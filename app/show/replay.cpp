@@ -79,7 +79,7 @@ DemoOptions Replay::options(const DemoOptions& given) {
   }
   options.tuning = with_own_scheduling(header.tuning);
   options.placement = header.characters.front().placement;
-  options.agents_given = options.error_given = options.shadows_given = true;
+  options.values_given.all = true;
   if (std::ranges::find(given.given, "--size") == given.given.end()) {
     options.width = header.width;
     options.height = header.height;

@@ -11,6 +11,7 @@
 #include "app/files/progress_line.h"
 #include "app/output/output.h"
 #include "app/output/regression/origin.h"
+#include "app/settings/user_settings.h"
 #include "app/show/opened_show.h"
 #include "app/show/painter.h"
 #include "app/show/recording/recorder.h"
@@ -192,13 +193,22 @@ int run_show(const DemoOptions& options, Replay* replay) {
   return asked_to_stop() == 0 ? static_cast<int>(exit_done) : exit_of_signal(asked_to_stop());
 }
 
+/// Returns the options of a window that starts as the last one was left. Damaged settings are said and left out.
+DemoOptions with_settings(DemoOptions options) {
+  if (options.context != ContextKind::window || options.no_settings) return options;
+  const auto settings = read_user_settings(user_settings_file());
+  if (settings) take_user_settings(*settings, options);
+  if (!settings) end_with(exit_done, settings.error().message);
+  return options;
+}
+
 }  // namespace
 
 int run_demo(const DemoOptions& options) {
   if (const Status ready = check_output(options.output); !ready) {
     return end_with(exit_job_failed, ready.error().message);
   }
-  if (options.replay.empty()) return run_show(options, nullptr);
+  if (options.replay.empty()) return run_show(with_settings(options), nullptr);
   const auto replay = Replay::open(options.replay);
   if (!replay) return end_with(exit_job_failed, replay.error().message);
   return run_show((*replay)->options(options), replay->get());

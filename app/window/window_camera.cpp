@@ -4,6 +4,7 @@
 
 #include "app/people/crowd/crowd.h"
 #include "app/show/crowd_framing.h"
+#include "app/show/painter.h"
 #include "app/show/report/frame_report.h"
 #include "app/show/show.h"
 #include "app/show/show_view.h"
@@ -21,8 +22,8 @@ glm::vec3 middle_of_interest(const Stage& stage) {
   return body.foot + glm::vec3(0.0F, 0.5F * body.height, 0.0F);
 }
 
-PicturePart part_of(const UiRectangle& area, int width, int height) {
-  const auto across = static_cast<float>(width), along = static_cast<float>(height);
+PicturePart part_of(const UiRectangle& area, glm::ivec2 window) {
+  const auto across = static_cast<float>(window.x), along = static_cast<float>(window.y);
   return {.left = area.x / across,
           .top = area.y / along,
           .right = (area.x + area.width) / across,
@@ -85,7 +86,7 @@ void WindowCamera::frame_crowd(const UiRectangle& area, Show& show) {
   const std::vector<FramedBox> boxes = boxes_of(show.stage());
   if (boxes.empty()) return;
   const float aspect = show.view().aspect();
-  fly_.set_camera(framed(fly_.camera(), boxes, aspect, part_of(area, show.view().width, show.view().height)));
+  fly_.set_camera(framed(fly_.camera(), boxes, aspect, part_of(area, show.painter().renderer().size())));
   show.view().films = false;
 }
 

@@ -26,6 +26,11 @@ namespace {
 constexpr double longest_step = 0.1;  // seconds: a breakpoint or a dragged window does not make the crowd jump
 constexpr double single_step = 1.0 / 60.0;
 
+bool is_used(const InputFrame& input) {
+  return input.buttons_down.any() || input.keys_down.any() || !input.pressed.empty() || !input.characters.empty() ||
+         !input.dropped.empty() || input.moved_x != 0.0F || input.moved_y != 0.0F || input.wheel != 0.0F;
+}
+
 class WindowLoop {
  public:
   WindowLoop(Show& show, const DemoOptions& options, Replay* replay)
@@ -48,6 +53,7 @@ class WindowLoop {
       run_frame();
       if (frame == 1) announce();
     }
+    if (!replay_) session_.keep_settings(picture_.window_size());
     return failed_ && replay_ ? replay_->outcome() : failed_;
   }
 
@@ -76,13 +82,15 @@ class WindowLoop {
     picture_.fit_to_window();
     const InputFrame& input = session_.input.next_frame();
     const Clock::time_point overlay_start = Clock::now();
-    overlay_.begin_frame(show.view().width, show.view().height, seconds, input);
+    overlay_.begin_frame(picture_.window_size().x, picture_.window_size().y, seconds, input);
     if (!replay_) fly(input, static_cast<float>(seconds));
     reporter.report().camera = session_.camera.place();
     session_.camera.report(reporter.report().cameras);
     reporter.messages().pass(seconds);
     reporter.report().can_undo_bones = session_.editor.can_undo_bones();
-    const Requests requests = overlay_.build(reporter.report(), session_.editor.tuning());
+    reporter.report().given_up = session_.rate.given_up(session_.editor.tuning());
+    reporter.report().rate_advice = session_.rate.advice(session_.editor.tuning());
+    const Requests requests = overlay_.build(reporter.report(), session_.shown_values());
     show.figures().add_overlay(std::chrono::duration<double, std::milli>(Clock::now() - overlay_start).count());
     if (replay_) {
       repeat(requests, seconds);
@@ -94,10 +102,12 @@ class WindowLoop {
       session_.measure_for_sweep();
     }
     session_.camera.take_back(show);
-    failed_ = picture_.present(overlay_);
+    failed_ = picture_.present(overlay_, is_used(input));
     requests_.take_after_drawing(requests);
     picture_.build_saved_shaders(now);
     const double frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - now).count();
+    const auto work = picture_.drawn_at() - now;
+    session_.rate.add_frame(std::chrono::duration<double, std::milli>(work).count(), session_.editor.tuning());
     reporter.update(show, session_.camera.place(), frame_ms);
     write_ui_map();
     reporter.messages().report(show.recorder().outcome());

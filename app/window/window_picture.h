@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include <glm/vec2.hpp>
+
 #include "engine/base/result.h"
 
 namespace throng::app {
@@ -16,22 +18,34 @@ class WindowPicture {
  public:
   using Clock = std::chrono::steady_clock;
 
-  WindowPicture(Show& show, Messages& messages) : show_(show), messages_(messages) {}
+  WindowPicture(Show& show, Messages& messages);
 
   /// Makes the device ready to draw the panel. Errors: those of render::Renderer::prepare_overlay.
   Status prepare(Overlay& overlay);
-  /// Takes the size of the window. A minimised window has no pixels: the crowd goes on, unseen.
+  /// Takes the size of the window, and of the picture in it. A minimised window has no pixels: the crowd goes on,
+  /// unseen.
   void fit_to_window();
-  /// Draws the show with the panel over it. Errors: the first picture cannot be drawn. Later a person can take the
-  /// value back that is too much to draw.
-  Status present(Overlay& overlay);
+  /// Returns the pixels of the window, in which the panel is drawn and the pointer is.
+  glm::ivec2 window_size() const { return size_; }
+  /// Draws the show with the panel over it. `is_used` says whether a person uses mouse or keys now: else a processor
+  /// draws the panel around the crowd in one of some frames. Errors: the first picture cannot be drawn. Later a person
+  /// can take the value back that is too much to draw.
+  Status present(Overlay& overlay, bool is_used);
+  /// Returns when the work on the last picture was done, without the wait of a card for the screen.
+  Clock::time_point drawn_at() const { return drawn_at_; }
   /// Builds the shaders that were saved since the last look, twice a second.
   void build_saved_shaders(Clock::time_point now);
 
  private:
+  bool keeps_panel(bool is_used);
+
   Show& show_;
   Messages& messages_;
   Clock::time_point next_look_at_shaders_ = Clock::now();
+  glm::ivec2 size_;
+  Clock::time_point drawn_at_ = Clock::now();
+  int frames_with_panel_ = 0;  // that are still to come in a row
+  int frames_without_panel_ = 0;
   bool minimised_ = false;
 };
 

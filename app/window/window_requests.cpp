@@ -7,6 +7,7 @@
 #include "app/show/recording/recorder.h"
 #include "app/show/request/cast_options.h"
 #include "app/show/show.h"
+#include "app/show/show_view.h"
 #include "app/show/stage/stage.h"
 #include "app/show/viewer/viewer.h"
 #include "app/window/viewer_requests.h"
@@ -32,7 +33,9 @@ void WindowRequests::take(const Requests& requests) {
   for (const Request& request : requests) {
     const auto* const values = as<Apply>(request);
     if (values != nullptr && changes_places) {
-      session_.editor.take_in_passing(values->tuning);  // B takes that back by itself
+      Tuning other = values->tuning;
+      if (other.holds_rate) set_cost(other, cost_of(session_.editor.tuning()));
+      session_.editor.take_in_passing(other);  // B takes that back by itself
     } else {
       std::visit([this](const auto& part) { take(part); }, request);
     }
@@ -49,9 +52,7 @@ void WindowRequests::take_after_drawing(const Requests& requests) {
 void WindowRequests::take(const CrowdRequest& request) {
   const auto* const values = std::get_if<Apply>(&request);
   if (values == nullptr) return static_cast<void>(session_.editor.take(request));
-  Apply lifted = *values;
-  lift_triangle_limit(lifted.tuning);
-  session_.editor.take(lifted);
+  session_.editor.take(Apply{session_.rate.changed(values->tuning, session_.editor.tuning())});
 }
 
 void WindowRequests::take(const WindowRequest& request) {
@@ -65,18 +66,12 @@ void WindowRequests::take(const ViewerRequest& request) {
   if (roles) session_.editor.take(*roles);
 }
 
-// An error limit that a person sets goes before the triangles that a device affords, as on the command line.
-void WindowRequests::lift_triangle_limit(Tuning& tuning) {
-  const Tuning& before = session_.editor.tuning();
-  const int afforded = session_.show.painter().savings().triangles;
-  const bool sets_error = tuning.error_px != before.error_px || tuning.mesh_error_px != before.mesh_error_px;
-  if (!sets_error || afforded == 0 || tuning.triangle_budget != afforded) return;
-  tuning.triangle_budget = 0;
-  messages().say("The error limit decides over meshes now: the triangle limit of this device is off.");
-}
-
 void WindowRequests::carry_out(const SelectAt& asked) {
-  session_.editor.take(Select{session_.show.agent_at(asked.point.x, asked.point.y)});
+  const ShowView& view = session_.show.view();
+  const glm::vec2 drawn(static_cast<float>(view.width), static_cast<float>(view.height));
+  const glm::vec2 at =
+      glm::vec2(asked.point.x, asked.point.y) * drawn / glm::vec2(session_.show.painter().renderer().size());
+  session_.editor.take(Select{session_.show.agent_at(at.x, at.y)});
 }
 
 void WindowRequests::carry_out(const OpenFiles& asked) {

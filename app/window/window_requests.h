@@ -47,7 +47,6 @@ class WindowRequests {
   void carry_out(const LookAtFrame& asked) { session_.reporter.look_at(asked.frame); }
   void carry_out(const LookAtLastFrames& /*asked*/) { session_.reporter.look_at_last(); }
   void carry_out(const FrameCrowd& /*asked*/) { session_.camera.frame_crowd(overlay_.crowd_area(), session_.show); }
-  void lift_triangle_limit(Tuning& tuning);
   void copy(const std::string& options);
   void take_screenshot();
   Messages& messages() { return session_.messages(); }

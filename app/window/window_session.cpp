@@ -1,5 +1,9 @@
 #include "app/window/window_session.h"
 
+#include <algorithm>
+
+#include "app/files/exit_status.h"
+#include "app/settings/user_settings.h"
 #include "app/show/painter.h"
 #include "app/show/show.h"
 #include "app/show/stage/stage.h"
@@ -11,6 +15,15 @@ Status give(const Tuning& tuning, Show& show) {
   return tuning == show.stage().tuning() ? Done{} : show.take(Apply{tuning});
 }
 
+SetByHand set_by_hand(const DemoOptions& options) {
+  const std::vector<std::string>& keys = options.values_given.keys;
+  const auto is_given = [&](const char* key) { return std::ranges::find(keys, key) != keys.end(); };
+  return {.picture_size = is_given("picture_size"),
+          .triangle_budget = is_given("triangle_budget"),
+          .shadows = is_given("shadows"),
+          .crowd_shade = is_given("crowd_shade")};
+}
+
 }  // namespace
 
 WindowSession::WindowSession(Show& show_in_window, const DemoOptions& given)
@@ -20,7 +33,9 @@ WindowSession::WindowSession(Show& show_in_window, const DemoOptions& given)
       input(show.painter().context().window()),
       camera(show),
       reporter(show),
-      editor(show, reporter) {}
+      editor(show, reporter),
+      rate(set_by_hand(given), show.painter().is_on_software()),
+      first_quality(quality_of(editor.tuning())) {}
 
 void WindowSession::show_wanted_values(bool exact_crowd) {
   const Tuning& tuning = editor.tuning();
@@ -30,7 +45,24 @@ void WindowSession::show_wanted_values(bool exact_crowd) {
     if (given) return;
     sweep.refuse(given.error().message);
   }
-  messages().report(give(exact_crowd ? without_level_of_detail(tuning) : tuning, show));
+  messages().report(give(exact_crowd ? without_level_of_detail(tuning) : shown_values(), show));
+}
+
+// Another window may have left its own settings since this one started.
+void WindowSession::keep_settings(glm::ivec2 window_size) const {
+  const std::filesystem::path file = user_settings_file();
+  if (options.no_settings || file.empty()) return;
+  const auto read = read_user_settings(file);
+  UserSettings settings = read ? *read : UserSettings();
+  const UserSettings before = settings;
+  const std::string_view quality = quality_of(editor.tuning());
+  if (!quality.empty() && quality != first_quality) settings.quality = quality;
+  if (window_size != glm::ivec2(options.width, options.height)) {
+    settings.width = window_size.x;
+    settings.height = window_size.y;
+  }
+  if (settings == before) return;
+  if (const Status kept = write_user_settings(file, settings); !kept) end_with(exit_done, kept.error().message);
 }
 
 // Frames in which no agent was posed, or the exact crowd was, tell nothing.

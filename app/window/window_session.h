@@ -1,8 +1,13 @@
 #pragma once
 
+#include <string>
+
+#include <glm/vec2.hpp>
+
 #include "app/settings/settings.h"
 #include "app/show/report/tuning_sweep.h"
 #include "app/window/crowd_editor.h"
+#include "app/window/frame_rate_keeper.h"
 #include "app/window/frame_reporter.h"
 #include "app/window/unsaved_values.h"
 #include "app/window/window_camera.h"
@@ -18,9 +23,13 @@ struct WindowSession {
 
   Messages& messages() { return reporter.messages(); }
 
+  /// Returns the values that the panel shows: those that are asked for, at the cost that holds the frame rate.
+  Tuning shown_values() const { return rate.kept(editor.tuning()); }
   /// Gives the show the values of the next frame: those of the exact crowd while a person holds its key, of the next
-  /// stop of a sweep, or as asked for.
+  /// stop of a sweep, or as the panel shows them.
   void show_wanted_values(bool exact_crowd);
+  /// Leaves the quality and the size of the window to the next one, where a person changed them in this one.
+  void keep_settings(glm::ivec2 window_size) const;
   /// Adds the cost of the frame that was animated last to the sweep that runs, and reports the sweep.
   void measure_for_sweep();
 
@@ -31,7 +40,9 @@ struct WindowSession {
   WindowCamera camera;
   FrameReporter reporter;
   CrowdEditor editor;  ///< it has the values that the person asks for
+  FrameRateKeeper rate;
   TuningSweep sweep;
+  const std::string first_quality;  ///< that the window started with
 };
 
 }  // namespace throng::app

@@ -113,34 +113,52 @@ Status Renderer::prepare_overlay() {
   return parts_->shaders.status();
 }
 
-void Renderer::draw_overlay(const ImDrawData& data) {
+void Renderer::draw_overlay(const ImDrawData& data, bool keeps_around) {
   assert(parts_->overlay.has_value());
-  parts_->target.draw_tiles_over([&](const PixelRect& drawn) {
-    parts_->target.tile().bind_overlay();
-    parts_->overlay->draw(data, drawn);
-  });
+  if (!parts_->stretched) {
+    return parts_->target.draw_tiles_over([&](const PixelRect& drawn) {
+      parts_->target.tile().bind_overlay();
+      parts_->overlay->draw(data, drawn);
+    });
+  }
+  parts_->stretch(keeps_around);
+  parts_->stretched->bind_overlay();
+  const PixelRect whole{{0, 0}, size()};
+  parts_->overlay->draw(data, whole, keeps_around ? parts_->seen_part(size()) : whole);
 }
 
 void Renderer::present() {
-  parts_->target.tile().copy_to_window(context().framebuffer_size());
+  parts_->finished().copy_to_window(context().framebuffer_size());
   context().swap_buffers();
 }
 
-const Image& Renderer::read_image() { return parts_->target.read(); }
+const Image& Renderer::read_image() {
+  if (!parts_->stretched) return parts_->target.read();
+  parts_->stretched_image = Image::blank(size().x, size().y);
+  parts_->stretched->read(parts_->stretched_image, {{0, 0}, size()});
+  return parts_->stretched_image;
+}
 Status Renderer::finish() { return parts_->finish(); }
 
-Status Renderer::set_size(glm::ivec2 size) {
-  if (size == parts_->target.size()) return Done{};
+Status Renderer::set_size(glm::ivec2 size, glm::ivec2 drawn_size) {
+  if (size == parts_->size() && drawn_size == parts_->target.size()) return Done{};
   RendererOptions changed = parts_->options;
-  changed.size = size;
+  changed.size = drawn_size;
   Result<TiledTarget> target = create_target(context(), changed);
   if (!target) return target.error();
+  std::optional<ImageTarget> stretched;
+  if (drawn_size != size) {
+    Result<ImageTarget> made = ImageTarget::create(size, 0);
+    if (!made) return made.error();
+    stretched = std::move(*made);
+  }
   parts_->target = std::move(*target);
+  parts_->stretched = std::move(stretched);
   parts_->options = changed;
   return Done{};
 }
 
-glm::ivec2 Renderer::size() const { return parts_->target.size(); }
+glm::ivec2 Renderer::size() const { return parts_->size(); }
 Status Renderer::reload_shaders() { return parts_->shaders.reload(); }
 bool Renderer::shaders_are_out_of_date() const { return parts_->shaders.is_out_of_date(); }
 gl::Context& Renderer::context() { return *parts_->context; }

@@ -102,7 +102,7 @@ DrawCounts Renderer::Parts::draw_split(const CrowdFrame& left, const CrowdFrame&
     split.keep_right(target.tile());
     draw_side(left, drawn);
     split.keep_left(target.tile());
-    keep_to_part();
+    keep_to_part(target.size());
     add(counts, split.draw(target.tile(), part_of(view, target.size(), drawn)));
     glDisable(GL_SCISSOR_TEST);
   });
@@ -140,11 +140,31 @@ DrawCounts Renderer::Parts::draw_light(const CrowdFrame& frame) {
   return counts;
 }
 
-void Renderer::Parts::keep_to_part() const {
-  if (!part) return;
+// Where the picture is stretched, a pixel beyond the edge takes part in the pixels within it.
+PixelRect Renderer::Parts::seen_part(glm::ivec2 size_of_target) const {
+  if (!part) return {{0, 0}, size_of_target};
   const PixelRect& place = part->place;
+  if (size_of_target == size()) return place;
+  const glm::vec2 scale = glm::vec2(size_of_target) / glm::vec2(size());
+  const glm::ivec2 first = glm::ivec2(glm::floor(glm::vec2(place.corner) * scale)) - 1;
+  const glm::ivec2 end = glm::ivec2(glm::ceil(glm::vec2(place.corner + place.size) * scale)) + 1;
+  const glm::ivec2 corner = glm::max(first, glm::ivec2(0));
+  return {corner, glm::min(end, size_of_target) - corner};
+}
+
+void Renderer::Parts::keep_to_part(glm::ivec2 size_of_target) const {
+  if (!part) return;
+  const PixelRect place = seen_part(size_of_target);
   glEnable(GL_SCISSOR_TEST);
   glScissor(place.corner.x, place.corner.y, place.size.x, place.size.y);
+}
+
+void Renderer::Parts::stretch(bool keeps_around) const {
+  if (!stretched) return;
+  if (part && !keeps_around) stretched->fill(part->around);
+  keep_to_part(stretched->size());
+  stretched->stretch(target.tile());
+  glDisable(GL_SCISSOR_TEST);
 }
 
 DrawCounts Renderer::Parts::draw_scene(const CrowdFrame& frame) {
@@ -152,7 +172,7 @@ DrawCounts Renderer::Parts::draw_scene(const CrowdFrame& frame) {
   const ImageTarget& image = target.tile();
   image.bind_scene();
   image.clear_scene(part ? light_of(part->around) : glm::vec3(0.0F));
-  keep_to_part();
+  keep_to_part(image.size());
   if (!frame.fill_pixels) glEnable(GL_RASTERIZER_DISCARD);
   crowd.begin(frame, light_parts);
   // From near to far, as a rule: hidden surfaces then cost little on a processor.
@@ -177,7 +197,7 @@ DrawCounts Renderer::Parts::draw_scene(const CrowdFrame& frame) {
 }
 
 DrawCounts Renderer::Parts::draw_scenery(const CrowdFrame& frame, glm::ivec2 pixels) {
-  const PixelRect seen = part ? part->place : PixelRect{{0, 0}, pixels};
+  const PixelRect seen = seen_part(pixels);
   const float height = static_cast<float>(seen.size.y) / frame.scenery_error_px;
   const bool at_vertices = options.lights_at_vertices && (light_parts & (shadow_part | lamp_part)) == 0;
   return scenery.draw(part_of(frame.camera, pixels, seen), height,

@@ -34,7 +34,7 @@ namespace throng::render {
 
 /// The inside of a renderer: the passes of a picture, and what they keep on the device.
 struct Renderer::Parts {
-  /// The part of the picture that scenes are drawn into alone.
+  /// The part of the picture, in its full size, that scenes are drawn into alone.
   struct DrawnPart {
     PixelRect place;
     std::uint32_t around;
@@ -56,7 +56,12 @@ struct Renderer::Parts {
   Status measure_bodies(const CrowdFrame& frame, std::span<const PixelBox> boxes, std::span<BodyAlone> bodies);
   Status load_characters(std::span<const CharacterToLoad> characters);
   Status finish();
-  void keep_to_part() const;
+  void keep_to_part(glm::ivec2 size_of_target) const;
+  glm::ivec2 size() const { return stretched ? stretched->size() : target.size(); }
+  const ImageTarget& finished() const { return stretched ? *stretched : target.tile(); }
+  /// Leaves the pixels around `part` as they are where `keeps_around`.
+  void stretch(bool keeps_around) const;
+  PixelRect seen_part(glm::ivec2 size_of_target) const;
   DrawCounts draw_scenery(const CrowdFrame& frame, glm::ivec2 pixels);
   Status prepare_labels();
 
@@ -74,6 +79,8 @@ struct Renderer::Parts {
   std::optional<LabelPass> labels;  // none: no caller has asked for labels
   std::optional<OverlayRenderer> overlay;
   TiledTarget target;
+  std::optional<ImageTarget> stretched;  // the picture in its full size; none: it is drawn in that size
+  Image stretched_image;                 // what was read of it last
   RendererOptions options;
   FrameData frame_data;
   SkyLight sky;

@@ -116,7 +116,7 @@ TEST(BenchOfDrawing, RefusesACameraThatTheSceneLacks) {
 std::uint32_t draw_calls_of(int agents) {
   DemoOptions options = of_small_crowds().shown;
   options.tuning.agents = agents;
-  options.agents_given = true;
+  options.values_given.keys.emplace_back("agents");
   options.camera_name = "above";  // everybody is in view
   StartError error;
   const std::unique_ptr<Show> show = open_show(options, error);

@@ -15,7 +15,7 @@ DemoOptions drawn_live_on_the_processor() {
   options.context = ContextKind::egl;
   options.force_software = true;
   options.tuning.agents = 3;
-  options.agents_given = true;
+  options.values_given.keys.emplace_back("agents");
   options.draw = DrawWhich::all;
   options.frames = 2;
   options.width = 320;
@@ -37,7 +37,7 @@ TEST(HeadlessNotice, NamesInOneLineWhatASoftwareRendererTurnsDown) {
 
 TEST(HeadlessNotice, LeavesOutWhatWasAskedFor) {
   DemoOptions options = drawn_live_on_the_processor();
-  options.shadows_given = true;
+  options.values_given.keys.emplace_back("shadows");
   EXPECT_THAT(said_on_stderr(options), HasSubstr("): no multisampling unless"));
   options.msaa = 0;
   EXPECT_EQ(said_on_stderr(options), "");

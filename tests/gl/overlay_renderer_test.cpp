@@ -1,5 +1,7 @@
 #include "engine/render/passes/overlay_renderer.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <memory>
 
 #include <gtest/gtest.h>
@@ -42,6 +44,8 @@ class Overlay : public SoftwareGlTest {
   }
 
   const Image& before() const { return before_; }
+  Renderer& renderer() { return crowd_->renderer(); }
+  void draw_again() { crowd_->renderer().draw(crowd_->frame()); }
 
  private:
   std::unique_ptr<DollCrowd> crowd_;
@@ -93,6 +97,40 @@ TEST_F(Overlay, WritesText) {
     for (int x = 100; x < 145; ++x) lettered += image.pixel(x, y)[0] == 255 && image.pixel(x, y)[2] == 64 ? 1 : 0;
   }
   EXPECT_GT(lettered, 40);
+}
+
+TEST_F(Overlay, IsSharpOverAPictureThatIsStretched) {
+  ASSERT_TRUE(renderer().set_size(renderer().size(), renderer().size() / 4));
+  draw_again();
+  const Image image = painted([](ImDrawList& list) { list.AddRectFilled({20, 10}, {61, 31}, orange); });
+  EXPECT_EQ(image.width, DollCrowd::width);
+  expect_color(image, 60, 30, orange);
+  expect_color(image, 20, 10, orange);
+  EXPECT_NE(image.pixel(61, 20)[2], 64);
+  int apart = 0;
+  for (int x = 0; x < image.width; ++x)
+    apart = std::max(apart, std::abs(image.pixel(x, 150)[0] - before().pixel(x, 150)[0]));
+  EXPECT_LT(apart, 40) << "the ground is where it was";
+}
+
+TEST_F(Overlay, LeavesNothingOfItselfInAStretchedPictureThatStays) {
+  ASSERT_TRUE(renderer().set_size(renderer().size(), renderer().size() / 2));
+  draw_again();
+  const Image clean = painted([](ImDrawList&) {});
+  painted([](ImDrawList& list) { list.AddRectFilled({20, 10}, {60, 30}, orange); });
+  EXPECT_EQ(painted([](ImDrawList&) {}).rgba, clean.rgba);
+}
+
+TEST_F(Overlay, IsBesideThePartThatIsStretched) {
+  constexpr ImU32 around = IM_COL32(16, 28, 40, 255);
+  ASSERT_TRUE(renderer().set_size(renderer().size(), renderer().size() / 3));
+  renderer().draw_only({{0, 40}, {200, DollCrowd::height - 40}}, around);
+  draw_again();
+  const Image image = painted([](ImDrawList&) {});
+  expect_color(image, 200, 70, around);
+  expect_color(image, 100, DollCrowd::height - 40, around);
+  const std::uint8_t* const edge = image.pixel(199, 100);
+  EXPECT_NEAR(edge[0], before().pixel(199, 100)[0], 24) << "no colour from around it";
 }
 
 TEST_F(Overlay, HonoursVertexOffsetsBeyondSixteenBits) {

@@ -102,7 +102,7 @@ DemoOptions shown_options(const BenchOptions& options, int agents) {
   if (!options.model.empty()) shown.models = {options.model};
   shown.tuning.agents = agents;
   shown.tuning.system.pus = options.pus.front();
-  shown.agents_given = true;
+  shown.values_given.keys.emplace_back("agents");
   shown.draw = DrawWhich::all;
   shown.kernels = options.kernels;
   shown.data = options.data;
@@ -114,7 +114,7 @@ DemoOptions shown_options(const BenchOptions& options, int agents) {
 /// Describes the device and the show.
 Json description(const Show& show, const DemoOptions& shown) {
   const DrawnBy drawn_by = show.painter().drawn_by();
-  const SoftwareSavings& spared = show.painter().savings();
+  const DeviceChoices& chosen = show.painter().device_choices();
   const Tuning& tuning = show.stage().tuning();
   return {{"device", drawn_by.gl_renderer},
           {"gl_version", drawn_by.gl_version},
@@ -122,7 +122,7 @@ Json description(const Show& show, const DemoOptions& shown) {
           {"is_software", show.painter().is_on_software()},
           {"pus", show.stage().system().options().pus},
           {"size", std::vector<Json>{shown.width, shown.height}},
-          {"samples", shown.msaa >= 0 ? shown.msaa : (spared.multisampling ? 0 : 4)},
+          {"samples", shown.msaa >= 0 ? shown.msaa : (chosen.no_multisampling ? 0 : 4)},
           {"shadows", tuning.shadows},
           {"crowd_shade", tuning.crowd_shade},
           {"scenery", tuning.scenery},

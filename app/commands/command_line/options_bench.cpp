@@ -131,8 +131,10 @@ ParsedCommand parse_bench(const std::vector<std::string>& arguments) {
   if (auto stop = reader.read(arguments)) return *stop;
   if (auto contradiction = contradiction_in_bench(reader, options)) return UsageError{*contradiction};
   if (options.draws && !reader.given("--agents")) options.agents = usual_drawn_agents();
-  options.shown.shadows_given = reader.given("--shadows") || reader.given("--crowd-shade");
-  options.shown.error_given = reader.given("--error-px");
+  for (const char* const value : {"shadows", "crowd_shade", "error_px"}) {
+    if (reader.given(std::string(find_tuning_value(value)->option_name())))
+      options.shown.values_given.keys.emplace_back(value);
+  }
   return options;
 }
 

@@ -20,6 +20,7 @@ ValueReader crowd_file(DemoOptions& options) {
     const auto setup = read_crowd_file(text);
     if (!setup) return setup.error().message.substr(text.size() + std::string_view(": ").size());
     options.crowd_file = text;
+    options.values_given.all = true;
     options.tuning = setup->preset.tuning;
     options.camera = setup->preset.camera;
     return {};
@@ -31,7 +32,7 @@ void declare_starting_values(OptionReader& reader, DemoOptions& options) {
   reader.option_defaults()->group("Starting values; options given beside them win");
   reader.value("--preset", "NAME|FILE", "A preset by its name in the overlay, or a file (none)",
                preset_values(options));
-  reader.value("--set", "KEY=VALUE,...", "Any value of a preset by its key", set_values(options.tuning));
+  reader.value("--set", "KEY=VALUE,...", "Any value of a preset by its key", set_values(options));
 }
 
 void declare_cast(OptionReader& reader, DemoOptions& options) {
@@ -91,6 +92,10 @@ void declare_picture(OptionReader& reader, DemoOptions& options) {
       [&options](const std::string& text) { return number_between(options.focus.emplace(), 0.1F, 10'000.0F)(text); });
   reader.value("--aperture", "F", "The f-number of its lens on film 24 mm high, 0.1 to 64 (1.4)",
                number_between(options.aperture, 0.1F, 64));
+  reader.value("--quality", "NAME",
+               "low, medium or high: picture size, triangle limit, shadows and crowd shade together; or auto: what the"
+               " device shows at --frame-rate in a window (auto on a processor, else high)",
+               quality(options));
   reader.value("--msaa", "0|4", "Samples a pixel (what the device affords)",
                choice<int>(options.msaa, {{"0", 0}, {"4", 4}}));
   const auto take_ui = [&options](const std::string& text) {
@@ -111,6 +116,8 @@ void declare_picture(OptionReader& reader, DemoOptions& options) {
       .flag("--legend", options.legend,
             "What the colours mean, the time and the number of people, in pictures of a headless run")
       ->excludes(ui);
+  reader.flag("--no-settings", options.no_settings,
+              "A window that neither starts with the quality and size of the last one nor leaves its own to the next");
   reader.value("--ui-scale", "X", "Size of the overlay, 0.5 to 4 (1)", number_between(options.ui_scale, 0.5, 4));
   reader.value(
       "--select", "AGENT", "The agent that is selected at first, counted from 0",
@@ -163,14 +170,6 @@ void settle_level_of_detail(const OptionReader& reader, Tuning& tuning) {
   if (!reader.given("--bone-lod")) tuning.lod.bone_lod = false;
   if (!reader.given("--smooth")) tuning.lod.smooth = false;
   if (!reader.given("--mesh-lod")) tuning.mesh_lod = 0;
-}
-
-/// Returns whether the command line says how far from exact a picture may be.
-bool names_an_error(const OptionReader& reader) {
-  const auto given = [&reader](const char* name) { return reader.given(name); };
-  return std::ranges::any_of(std::to_array({"--error-px", "--mesh-error-px", "--budget-ms", "--triangle-budget",
-                                            "--lod", "--mesh-lod", "--set"}),
-                             given);
 }
 
 /// Complains about limits without the rule that keeps them.
@@ -326,10 +325,10 @@ ParsedCommand parse_demo(const std::vector<std::string>& arguments) {
     options.given.push_back(option->get_name());
   }
   options.frames_given = reader.given("--frames");
-  const bool all_given = reader.given("--preset") || !options.crowd_file.empty();
-  options.agents_given = all_given || reader.given("--agents") || options.tuning.agents != Tuning{}.agents;
-  options.error_given = all_given || names_an_error(reader);
-  options.shadows_given = all_given || reader.given("--shadows") || reader.given("--crowd-shade");
+  for (const TuningValue& row : tuning_values()) {
+    if (!row.option.empty() && reader.given(std::string(row.option_name())))
+      options.values_given.keys.emplace_back(row.key);
+  }
   settle_level_of_detail(reader, options.tuning);
   if (auto contradiction = settle_trajectories(reader, options)) return UsageError{*contradiction};
   if (auto contradiction = idle_limit(reader, options.tuning)) return UsageError{*contradiction};

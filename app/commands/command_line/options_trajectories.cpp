@@ -124,7 +124,7 @@ std::optional<std::string> settle_trajectories(const OptionReader& reader, DemoO
   }
   if (is_live && !reader.given("--agents")) options.tuning.agents = LiveCrowd::usual_places;
   options.tuning.scene = Scene::tracks;
-  options.agents_given = true;
+  options.values_given.keys.emplace_back("agents");
   const auto named = std::ranges::find(options.placements, name_of(asked.file), &ModelPlacement::model);
   std::optional<anim::UpAxis> axis;
   if (named != options.placements.end()) {

@@ -58,16 +58,17 @@ std::string cast_sentence(const CharacterSource& character, const std::string& n
 
 }  // namespace
 
-std::string software_notice(const std::string& renderer, const SoftwareSavings& spared) {
+std::string software_notice(const std::string& renderer, const DeviceChoices& choices) {
   std::string list;
   const auto add = [&list](bool is_spared, const std::string& words) {
     if (is_spared) list += (list.empty() ? "" : ", ") + words;
   };
-  add(spared.agents > 0, std::to_string(spared.agents) + " agents");
-  add(spared.multisampling, "no multisampling");
-  add(spared.shadows, "no shadows");
-  add(spared.error_px > 0, "an error of " + shortest_text(spared.error_px) + " pixels");
-  add(spared.triangles > 0, "at most " + std::to_string(spared.triangles) + " triangles of people");
+  add(choices.agents > 0, std::to_string(choices.agents) + " agents");
+  add(choices.no_multisampling, "no multisampling");
+  add(choices.no_shadows && !choices.holds_rate, "no shadows");
+  add(choices.error_px > 0, "an error of " + shortest_text(choices.error_px) + " pixels");
+  add(choices.triangles > 0 && !choices.holds_rate,
+      "at most " + std::to_string(choices.triangles) + " triangles of people");
   if (list.empty()) return {};
   return "Drawn on the processor (" + renderer + "): " + list + " unless asked otherwise.";
 }

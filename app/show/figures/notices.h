@@ -12,14 +12,18 @@
 /// Sentences on the ways in which a run differs from a person's expectation. Each is empty where it does not.
 namespace throng::app {
 
-/// The savings where a processor draws live and the command line does not ask otherwise.
-struct SoftwareSavings {
-  int agents = 0;  ///< the number that is animated instead of the one asked for; 0: as asked
-  bool multisampling = false, shadows = false;
-  float error_px = 0;  ///< the limit on errors instead of the one asked for; 0: as asked
-  int triangles = 0;   ///< with it: the most of all agents in view
+/// The values that the device decides, since the command line does not. A value of 0 or false leaves what was asked
+/// for. Where a processor draws live, they save work.
+struct DeviceChoices {
+  int agents = 0;
+  bool no_multisampling = false, no_shadows = false;
+  float error_px = 0;
+  int triangles = 0;        ///< of all agents in view, at most
+  bool holds_rate = false;  ///< a window holds a frame rate
+  float frame_rate = 0;
 };
-std::string software_notice(const std::string& renderer, const SoftwareSavings& spared);
+/// Says what a processor leaves out; empty where it leaves out nothing.
+std::string software_notice(const std::string& renderer, const DeviceChoices& choices);
 
 /// Says what import repaired and left out of the characters' files, up to three lines each, how they were changed after
 /// import, and which other characters the files have.

@@ -131,8 +131,10 @@ struct FrameReport {
   WardrobeReport wardrobe;              ///< of the character shown
   std::string context;                  ///< "window", "egl", "osmesa"
   std::string gl_version, gl_renderer;
-  std::string notice;  ///< warnings that stay, a line each, such as what a software renderer turns down; may be empty
-  Messages messages;   ///< the messages that the person was told
+  std::string notice;    ///< warnings that stay, a line each, such as what a software renderer turns down; may be empty
+  std::string given_up;  ///< what a window gives up to hold its frame rate, in a line; may be empty
+  std::string rate_advice;  ///< what a person can do about slow frames, in a line; may be empty
+  Messages messages;        ///< the messages that the person was told
   RecordingReport recording;
   int frame = 0;
   float frame_ms = 0, update_ms = 0, draw_ms = 0;

@@ -178,7 +178,7 @@ using CrowdRequest = std::variant<Apply, SetShare, SetRoles, SetBody, SetBones, 
 // ---- Requests about the window: its files, cameras and views. No recording keeps them. What follows for the crowd of
 // one of them is a request above.
 
-/// A pixel from the top left of the picture.
+/// A pixel from the top left of the window.
 struct PicturePoint {
   float x = 0, y = 0;
 };

@@ -169,45 +169,6 @@ void show_time(const TabContext& context) {
                       : std::to_string(ages.size()) + " snapshots, the newest " + fixed(ages.front(), 1) + " s ago.");
 }
 
-// The values of the view in force alone have rows, or all while they are searched.
-void show_scale(const TabContext& context) {
-  const DebugView view = context.tuning.debug_view;
-  const bool shows_all = context.widgets.is_searching();
-  const Help help{.what = "What the last colour of the scale stands for. Above it people have that colour too."};
-  if (shows_all || view == DebugView::speed) context.row("top_speed", help);
-  if (shows_all || view == DebugView::density) context.row("top_density", help);
-  if (shows_all || view == DebugView::density) {
-    context.row("density_cut_off",
-                {.what = "How far a person's own ground reaches where nobody else is near, as PedPy's "
-                         "cut_off. A smaller one makes those at the edge denser.",
-                 .unit = "metres, 0.1 to 10"});
-  }
-  if (shows_all || view == DebugView::presence) context.row("top_presence", help);
-}
-
-void show_picture(const TabContext& context) {
-  const auto& [widgets, report, tuning, standard, requests, memory] = context;
-  widgets.section("Picture");
-  context.row("debug_view",
-              {.what = "none: everyone's own clothes. interval: frames between updates. bones: per-bone LOD level. "
-                       "mesh: mesh LOD. Cool colours are full detail, warm ones the coarsest. speed, density: how fast "
-                       "people go, how close they stand. presence: since when they are there."});
-  show_scale(context);
-  context.row("trail_seconds",
-              {.what = "Draws where people of a recorded crowd went in the last seconds, on the ground.",
-               .unit = "seconds, 0 to 30",
-               .cost = "Some lines for each of them."});
-  context.row("bones_as_lines",
-              {.what = "Draws the skeletons over the characters. Behind somebody else they show through faintly.",
-               .cost = "Two draws a bone and agent in view."});
-  context.row("scenery", {.what = "Draws houses, trees and seats around the crowd. It walks around them in any case.",
-                          .cost = "One draw call, and the triangles in view."});
-  ButtonRow buttons(widgets, 2);
-  buttons.ask(requests, CopyCamera{}, "Copy camera",
-              {.what = "Puts the camera as an option into the clipboard. Key C."});
-  buttons.ask(requests, TakeScreenshot{}, "Screenshot", {.what = "Writes the picture as a PNG. Key F12."});
-}
-
 void show_light(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, requests, memory] = context;
   widgets.section("Light");
@@ -319,7 +280,7 @@ void show_crowd_tab(const TabContext& context) {
   show_cast(context);
   show_wardrobe(context);
   show_time(context);
-  show_picture(context);
+  show_picture_section(context);
   show_camera_section(context);
   show_light(context);
   context.when_not_searching(show_in_view);

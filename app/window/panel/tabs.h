@@ -99,6 +99,8 @@ void show_model(const TabContext& context);
 void show_wardrobe(const TabContext& context);
 /// Shows the cameras of the scene and of the person, what moves the camera, and how fast it flies.
 void show_camera_section(const TabContext& context);
+/// Shows what is drawn, in which size and how well, in Crowd (picture_section.cpp).
+void show_picture_section(const TabContext& context);
 /// Shows the parts of the character's body with their bones, in a list that opens: a person chooses other bones, keeps
 /// them, and reads what follows from them.
 void show_body(const TabContext& context);

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <string>
 
+#include <glm/packing.hpp>
+
 #include "engine/render/gl/device_errors.h"
 
 namespace throng::render {
@@ -106,6 +108,16 @@ void ImageTarget::copy_to_window(glm::ivec2 window_size) const {
   const GLenum filter = window_size == size_ ? GL_NEAREST : GL_LINEAR;
   glBlitNamedFramebuffer(plain_.id(), 0, 0, 0, size_.x, size_.y, 0, 0, window_size.x, window_size.y,
                          GL_COLOR_BUFFER_BIT, filter);
+}
+
+void ImageTarget::stretch(const ImageTarget& other) const {
+  glBlitNamedFramebuffer(other.plain_.id(), plain_.id(), 0, 0, other.size_.x, other.size_.y, 0, 0, size_.x, size_.y,
+                         GL_COLOR_BUFFER_BIT, GL_LINEAR);
+}
+
+void ImageTarget::fill(std::uint32_t color) const {
+  const glm::vec4 srgb = glm::unpackUnorm4x8(color);
+  glClearNamedFramebufferfv(plain_.id(), GL_COLOR, 0, &srgb.x);
 }
 
 void ImageTarget::copy_pixels(const gl::Texture& texture) const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -41,6 +43,11 @@ class ImageTarget {
 
   /// Copies the finished pixels into the window's framebuffer, stretched to `window_size`.
   void copy_to_window(glm::ivec2 window_size) const;
+
+  /// Makes the finished pixels within the scissor rectangle those of another target, stretched smoothly.
+  void stretch(const ImageTarget& other) const;
+  /// Gives all finished pixels one sRGB colour, red in the lowest byte.
+  void fill(std::uint32_t color) const;
 
   /// Copies the bytes of the finished pixels into an RGBA8 texture of the same size.
   void copy_pixels(const gl::Texture& texture) const;

@@ -27,12 +27,14 @@ void upload(const gl::Buffer& buffer, const ImVector<Element>& elements) {
 }
 
 /// Gives a clip rectangle in pixels of the framebuffer.
-PixelRect scissor_of(const ImDrawCmd& command, const ImDrawData& data, glm::ivec2 picture, const PixelRect& drawn) {
+PixelRect scissor_of(const ImDrawCmd& command, const ImDrawData& data, glm::ivec2 picture, const PixelRect& drawn,
+                     const PixelRect& clip) {
   const auto pixel = [&](float x, float y) {
     const glm::vec2 scale(data.FramebufferScale.x, data.FramebufferScale.y);
     const glm::vec2 point = (glm::vec2(x, y) - glm::vec2(data.DisplayPos.x, data.DisplayPos.y)) * scale;
     const glm::ivec2 from_top = glm::clamp(glm::ivec2(point), glm::ivec2(0), picture);
-    return glm::clamp(glm::ivec2(from_top.x, picture.y - from_top.y) - drawn.corner, glm::ivec2(0), drawn.size);
+    return glm::clamp(glm::ivec2(from_top.x, picture.y - from_top.y) - drawn.corner, clip.corner,
+                      clip.corner + clip.size);
   };
   const glm::ivec2 top_left = pixel(command.ClipRect.x, command.ClipRect.y);
   const glm::ivec2 bottom_right = pixel(command.ClipRect.z, command.ClipRect.w);
@@ -99,7 +101,7 @@ void OverlayRenderer::set_up(const ImDrawData& data, int picture_height, const P
               top - data.DisplayPos.y * scale_y);
 }
 
-void OverlayRenderer::draw(const ImDrawData& data, const PixelRect& drawn) const {
+void OverlayRenderer::draw(const ImDrawData& data, const PixelRect& drawn, const PixelRect& clip) const {
   const glm::ivec2 picture = picture_size(data);
   if (picture.x <= 0 || picture.y <= 0) return;
   set_up(data, picture.y, drawn);
@@ -111,7 +113,7 @@ void OverlayRenderer::draw(const ImDrawData& data, const PixelRect& drawn) const
       if (command.UserCallback != nullptr) {
         command.UserCallback(&list, &command);
       } else {
-        draw_command(command, scissor_of(command, data, picture, drawn));
+        draw_command(command, scissor_of(command, data, picture, drawn, clip));
       }
     }
   }

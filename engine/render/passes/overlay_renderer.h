@@ -24,9 +24,11 @@ class OverlayRenderer {
   /// texture that large.
   Status upload_fonts();
 
-  /// Draws the part of the data that is in these pixels of the picture, over all of the bound framebuffer. Leaves
-  /// blending and scissoring off, and no program or vertex array bound.
-  void draw(const ImDrawData& data, const PixelRect& drawn) const;
+  /// Draws the part of the data that is in the pixels `drawn` of the picture, over all of the bound framebuffer, and
+  /// changes no pixel of it outside of `clip`. Leaves blending and scissoring off, and no program or vertex array
+  /// bound.
+  void draw(const ImDrawData& data, const PixelRect& drawn, const PixelRect& clip) const;
+  void draw(const ImDrawData& data, const PixelRect& drawn) const { draw(data, drawn, {{0, 0}, drawn.size}); }
 
  private:
   void set_up(const ImDrawData& data, int picture_height, const PixelRect& drawn) const;

@@ -136,7 +136,7 @@ TEST_F(Presets, AreStartingValuesThatOptionsWinOver) {
   EXPECT_EQ(options.tuning.agents, 20);
   EXPECT_EQ(options.tuning.scene, Scene::parade);
   EXPECT_EQ(options.camera->z, 3.0F);
-  EXPECT_TRUE(options.agents_given);
+  EXPECT_TRUE(options.values_given.all);
   EXPECT_FALSE(demo("--camera above --preset " + file).camera);
 }
 

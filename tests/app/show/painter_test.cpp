@@ -22,7 +22,7 @@ TEST(PainterWithoutAContext, DrawsNothingAndStillHasPagesForPalettes) {
   EXPECT_FALSE((*painter)->is_on_software());
   EXPECT_EQ((*painter)->drawn_by().context, "none");
   EXPECT_EQ((*painter)->notice(), "");
-  EXPECT_EQ((*painter)->savings().agents, 0);
+  EXPECT_EQ((*painter)->device_choices().agents, 0);
 }
 
 TEST(PainterWithoutAContext, IsDoneWithEveryFrameThatTheStageHasPosed) {

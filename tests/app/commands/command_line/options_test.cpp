@@ -10,6 +10,8 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
 
 template <typename Options>
 Options accepted(const std::string& line) {
@@ -40,7 +42,8 @@ TEST(DemoDefaults, AreThoseOfTheHelp) {
   EXPECT_FALSE(options.ui || options.ui_fixed || options.hide_ui);
   EXPECT_EQ(options.msaa, -1);
   EXPECT_TRUE(options.tuning.shadows);
-  EXPECT_FALSE(options.agents_given || options.shadows_given);
+  EXPECT_FALSE(options.values_given.all);
+  EXPECT_THAT(options.values_given.keys, IsEmpty());
   EXPECT_FALSE(options.camera.has_value());
   EXPECT_EQ(options.camera_name + options.screenshot + options.stats + options.ui_map, "");
 }
@@ -152,16 +155,17 @@ TEST(DemoOptions, SayWhatIsDrawnAndWritten) {
   EXPECT_TRUE(options.ui && options.ui_fixed);
   EXPECT_EQ(options.msaa, 4);
   EXPECT_FALSE(options.tuning.shadows);
-  EXPECT_TRUE(options.shadows_given);
+  EXPECT_TRUE(options.values_given.has("shadows"));
   EXPECT_THAT((std::vector{options.screenshot, options.stats, options.ui_map, options.data}),
               ElementsAre("a.png", "b.json", "c.json", "."));
 }
 
-TEST(DemoOptions, SayWhetherAnErrorIsGiven) {
-  EXPECT_FALSE(demo("--agents 5").error_given);
-  for (const char* const line : {"--error-px 1", "--set error_px=1", "--lod off", "--mesh-lod on", "--budget-ms 2"}) {
-    EXPECT_TRUE(demo(line).error_given) << line;
-  }
+TEST(DemoOptions, SayWhichValuesAreGivenAndNoOthers) {
+  EXPECT_THAT(demo("--agents 5 --error-px 1").values_given.keys, UnorderedElementsAre("agents", "error_px"));
+  EXPECT_THAT(demo("--set paused=on,frame_rate=20").values_given.keys, UnorderedElementsAre("paused", "frame_rate"));
+  EXPECT_THAT(demo("--quality auto").values_given.keys, ElementsAre("holds_rate"));
+  EXPECT_TRUE(demo("--quality low").values_given.has("triangle_budget"));
+  EXPECT_FALSE(demo("--error-px 1").values_given.has("triangle_budget"));
 }
 
 TEST(DemoOptions, TakeUpToSixteenModelsInOneCrowd) {

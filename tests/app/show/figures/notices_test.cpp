@@ -24,10 +24,10 @@ std::unique_ptr<anim::AnimationSystem> system_of(int bones, const anim::SystemOp
 }
 
 TEST(SoftwareNotice, NamesWhatIsSparedAndNothingElse) {
-  EXPECT_EQ(software_notice("llvmpipe", {.multisampling = true, .shadows = true, .error_px = 3}),
+  EXPECT_EQ(software_notice("llvmpipe", {.no_multisampling = true, .no_shadows = true, .error_px = 3}),
             "Drawn on the processor (llvmpipe): no multisampling, no shadows, an error of 3 pixels unless asked "
             "otherwise.");
-  EXPECT_EQ(software_notice("llvmpipe", {.agents = 300, .shadows = true}),
+  EXPECT_EQ(software_notice("llvmpipe", {.agents = 300, .no_shadows = true}),
             "Drawn on the processor (llvmpipe): 300 agents, no shadows unless asked otherwise.");
   EXPECT_EQ(software_notice("llvmpipe", {}), "");
 }

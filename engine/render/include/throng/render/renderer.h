@@ -114,7 +114,10 @@ class Renderer {
 
   /// Prepares draw_overlay(). An ImGui context must be current and its fonts added; call it again after adding fonts.
   Status prepare_overlay();
-  void draw_overlay(const ImDrawData& data);
+  void draw_overlay(const ImDrawData& data) { draw_overlay(data, false); }
+  /// Draws the overlay, and where `keeps_around`, leaves what it drew before outside of the part of draw_only(). A
+  /// picture whose scene is not stretched is drawn anew in any case.
+  void draw_overlay(const ImDrawData& data, bool keeps_around);
 
   /// Shows the picture in the context's window.
   void present();
@@ -127,7 +130,10 @@ class Renderer {
   Status finish();
 
   /// Changes the size of pictures. Errors: those of create(); then it is as it was.
-  Status set_size(glm::ivec2 size);
+  Status set_size(glm::ivec2 size) { return set_size(size, size); }
+  /// Changes the size of pictures, whose scenes are drawn in another size and stretched smoothly. The overlay is drawn
+  /// in the full size, and only draw_overlay() stretches. A picture that is drawn in tiles has one size.
+  Status set_size(glm::ivec2 size, glm::ivec2 drawn_size);
   glm::ivec2 size() const;
 
   /// Builds all shaders again from disk, and returns the first error. A program that fails keeps its last good build.

@@ -1,0 +1,83 @@
+#include "app/settings/user_settings.h"
+
+#include <algorithm>
+#include <optional>
+#include <system_error>
+
+#include "app/files/json_file.h"
+#include "app/files/kept_file.h"
+#include "app/settings/option_values.h"
+#include "app/settings/quality.h"
+#include "engine/base/files/output_file.h"
+#include "engine/base/json/json_object.h"
+
+namespace throng::app {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr int settings_version = 1;
+constexpr JsonRemedies remedies{.malformed = "delete the file", .wrong = "delete the file"};
+
+void read_size(const JsonObject& object, UserSettings& settings) {
+  std::string size;
+  object.text("size", size);
+  const Complaint wrong = size.empty() ? Complaint() : image_size(settings.width, settings.height)(size);
+  if (wrong) object.complain("\"size\" " + *wrong);
+}
+
+void read_quality(const JsonObject& object, UserSettings& settings) {
+  object.text("quality", settings.quality);
+  DemoOptions unused;
+  const Complaint wrong = settings.quality.empty() ? Complaint() : quality(unused)(settings.quality);
+  if (wrong) object.complain("\"quality\" " + *wrong);
+}
+
+bool is_given(const DemoOptions& options, const char* option) {
+  return std::ranges::find(options.given, option) != options.given.end();
+}
+
+}  // namespace
+
+fs::path user_settings_file() {
+  const fs::path folder = configuration_folder();
+  return folder.empty() ? fs::path() : folder / "settings.json";
+}
+
+Result<UserSettings> read_user_settings(const fs::path& path) {
+  std::error_code error;
+  UserSettings settings;
+  if (path.empty() || !fs::exists(path, error)) return settings;
+  const JsonFile file(path, remedies);
+  const auto json = file.read();
+  if (!json) return json.error();
+  std::optional<std::string> complaint;
+  const JsonObject object("", *json, {"version", "quality", "size", "recent_files"}, complaint);
+  object.version(settings_version);
+  read_size(object, settings);
+  read_quality(object, settings);
+  object.texts("recent_files", settings.recent_files);
+  if (complaint) return file.wrong(*complaint);
+  return settings;
+}
+
+Status write_user_settings(const fs::path& file, const UserSettings& settings) {
+  Json json = {{"version", settings_version}};
+  if (!settings.quality.empty()) json["quality"] = settings.quality;
+  if (settings.width > 0) json["size"] = std::to_string(settings.width) + "x" + std::to_string(settings.height);
+  if (!settings.recent_files.empty()) json["recent_files"] = settings.recent_files;
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  return write_whole_file(file, json.dump(2) + "\n");
+}
+
+void take_user_settings(const UserSettings& settings, DemoOptions& options) {
+  if (settings.width > 0 && !is_given(options, "--size")) {
+    options.width = settings.width;
+    options.height = settings.height;
+  }
+  const auto is_said = [&](const char* key) { return options.values_given.has(key); };
+  if (settings.quality.empty() || is_said("holds_rate") || std::ranges::any_of(picture_cost_keys, is_said)) return;
+  static_cast<void>(quality(options)(settings.quality));
+}
+
+}  // namespace throng::app

@@ -1,0 +1,78 @@
+// What is drawn in which colours, in which size and how well, in Crowd.
+#include "app/settings/quality.h"
+#include "app/window/panel/tabs.h"
+
+namespace throng::app {
+namespace {
+
+// The values of the view in force alone have rows, or all while they are searched.
+void show_scale(const TabContext& context) {
+  const DebugView view = context.tuning.debug_view;
+  const bool shows_all = context.widgets.is_searching();
+  const Help help{.what = "What the last colour of the scale stands for. Above it people have that colour too."};
+  if (shows_all || view == DebugView::speed) context.row("top_speed", help);
+  if (shows_all || view == DebugView::density) context.row("top_density", help);
+  if (shows_all || view == DebugView::density) {
+    context.row("density_cut_off",
+                {.what = "How far a person's own ground reaches where nobody else is near, as PedPy's "
+                         "cut_off. A smaller one makes those at the edge denser.",
+                 .unit = "metres, 0.1 to 10"});
+  }
+  if (shows_all || view == DebugView::presence) context.row("top_presence", help);
+}
+
+// Setting a quality by its name ends the holding of a frame rate.
+void show_quality(const TabContext& context) {
+  const auto& [widgets, report, tuning, standard, requests, memory] = context;
+  ButtonRow buttons(widgets, static_cast<int>(qualities.size()) + 1);
+  for (const Quality& quality : qualities) {
+    if (!buttons.button(quality.name, {.what = "Sets picture size, triangle limit, shadows and crowd shade together."}))
+      continue;
+    take_quality(quality.name, tuning);
+  }
+  if (buttons.button(automatic_quality,
+                     {.what = "Holds the frame rate: gives up shadows, triangles and picture size while frames "
+                              "take too long, and takes them back where there is time."}))
+    tuning.holds_rate = true;
+  context.row("holds_rate", {.what = "Gives up shadows, triangles and picture size while frames take too long, and "
+                                     "takes them back where there is time. What you set by hand stays."});
+  context.row("frame_rate", {.what = "The frames a second that are held.", .unit = "5 to 240"});
+  if (!report.given_up.empty()) widgets.caption(report.given_up);
+  if (report.rate_advice.empty()) return;
+  widgets.caption(report.rate_advice);
+  if (wide_button(widgets, "Hold the frame rate", {.what = "Sets quality auto."})) tuning.holds_rate = true;
+}
+
+}  // namespace
+
+void show_picture_section(const TabContext& context) {
+  const auto& [widgets, report, tuning, standard, requests, memory] = context;
+  widgets.section("Picture");
+  show_quality(context);
+  context.row("debug_view",
+              {.what = "none: everyone's own clothes. interval: frames between updates. bones: per-bone LOD level. "
+                       "mesh: mesh LOD. Cool colours are full detail, warm ones the coarsest. speed, density: how fast "
+                       "people go, how close they stand. presence: since when they are there."});
+  show_scale(context);
+  context.row(
+      "picture_size",
+      {.what = "Draws the crowd in a part of the window's width and height, and stretches it. The panel and its "
+               "texts stay sharp.",
+       .unit = "per cent, 25 to 100",
+       .cost = "Half the size has a quarter of the pixels, and coarser meshes in it."});
+  context.row("trail_seconds",
+              {.what = "Draws where people of a recorded crowd went in the last seconds, on the ground.",
+               .unit = "seconds, 0 to 30",
+               .cost = "Some lines for each of them."});
+  context.row("bones_as_lines",
+              {.what = "Draws the skeletons over the characters. Behind somebody else they show through faintly.",
+               .cost = "Two draws a bone and agent in view."});
+  context.row("scenery", {.what = "Draws houses, trees and seats around the crowd. It walks around them in any case.",
+                          .cost = "One draw call, and the triangles in view."});
+  ButtonRow buttons(widgets, 2);
+  buttons.ask(requests, CopyCamera{}, "Copy camera",
+              {.what = "Puts the camera as an option into the clipboard. Key C."});
+  buttons.ask(requests, TakeScreenshot{}, "Screenshot", {.what = "Writes the picture as a PNG. Key F12."});
+}
+
+}  // namespace throng::app

@@ -73,7 +73,8 @@ std::string listed(const std::set<std::string>& bones) {
 std::string how_they_fit(const anim::Retargeter& retargeter, bool as_they_were) {
   if (as_they_were) return "with their keys as they are";
   char text[96];
-  std::snprintf(text, sizeof(text), "retargeted to legs %.3g times as long, in the units of both files",
+  std::snprintf(text, sizeof(text),
+                "fitted to this body: ways and heights times %.3g, as the lengths of the legs differ",
                 retargeter.plan().scale);
   return text;
 }
@@ -143,7 +144,7 @@ void take_clips(const ClipFile& clips, const ClipSource& source, anim::ImportedF
   }
   file.notes.push_back(plain_text(clips.path) + ": " + counted(source.model->clips.size(), "clip") + " taken, " +
                        how_they_fit(*source.retargeter, as_they_were) +
-                       (lost.empty() ? "" : "; no bone follows its bones " + listed(lost)) +
+                       (lost.empty() ? "" : "; left out the motion of bones that this body lacks: " + listed(lost)) +
                        (source.model->morphs.empty() ? "" : "; weights of its morph targets left out"));
 }
 

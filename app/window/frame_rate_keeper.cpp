@@ -87,7 +87,7 @@ std::string FrameRateKeeper::given_up(const Tuning& asked) const {
     parts.push_back("the picture has " + std::to_string(cost.picture_size) + "% of the window's size");
   }
   if (cost.triangle_budget > 0 && !by_hand_.triangle_budget) {
-    parts.push_back(std::to_string(cost.triangle_budget / 1000) + ",000 triangles");
+    parts.push_back(counted(static_cast<std::size_t>(cost.triangle_budget), "triangle"));
   }
   if (!cost.shadows && !by_hand_.shadows) parts.emplace_back("no shadows");
   if (!cost.crowd_shade && !by_hand_.crowd_shade) parts.emplace_back("no crowd shade");

@@ -204,7 +204,7 @@ void FrameReporter::update(const Show& show, const CameraPose& camera, double fr
   add_units(system);
   report_.memory = system.figures().memory();
   limit_.add(show.figures().times());
-  report_.limit_sentence = limit_.sentence();
+  report_.limit_sentence = limit_.sentence(show.painter().is_on_software());
   add_error(show.stage());
   add_tracks(show.stage());
   report_.selected = report_selection(show.stage());

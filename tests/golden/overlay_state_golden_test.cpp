@@ -59,7 +59,10 @@ TEST_F(OverlayState, HelpThatIsSearched) {
 }
 
 TEST_F(OverlayState, MessagesSoFarAndWarnings) {
-  person.report.notice = "Drawn on the processor (llvmpipe): 300 agents, no shadows unless asked otherwise.\nOne more.";
+  person.report.notice =
+      "No graphics card draws here; the processor does, by llvmpipe. To keep up it starts with 300 agents and no "
+      "shadows; "
+      "--agents and --shadows change that.\nOne more.";
   person.report.messages.pass(60.0);
   person.report.messages.say("Wrote throng-1.png");
   person.report.messages.say("people.glb: it is neither GLB nor valid JSON", Message::Kind::refused);

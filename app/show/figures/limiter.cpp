@@ -12,8 +12,15 @@ namespace {
 constexpr double frames_averaged = 30.0;
 constexpr double longest_smooth_frame = 40.0;  // milliseconds
 constexpr double little_of_a_frame = 0.2, most_of_the_poses = 0.8;
-constexpr std::array<const char*, 4> sentence_names{"Animation", "Upload", "Draw submission", "The GPU"};
-constexpr std::array<const char*, 4> list_names{"animation", "upload", "draw submission", "GPU"};
+
+/// The name of a part at the beginning of a sentence, and in a list.
+struct PartName {
+  const char* first;
+  const char* listed;
+};
+constexpr std::array<PartName, 4> part_names = {
+    {{"Animation", "animation"}, {"Upload", "upload"}, {"Draw submission", "draw submission"}, {"The GPU", "GPU"}}};
+constexpr PartName filling_by_processor = {"Filling pixels on the processor", "filling pixels on the processor"};
 
 std::array<double, 4> parts_of(const FrameTimes& times) {
   return {times.animation_ms, times.upload_ms, times.submission_ms, times.wait_ms};
@@ -28,17 +35,21 @@ Limiter limiting_part(const FrameTimes& times) {
   return static_cast<Limiter>(std::ranges::max_element(parts) - parts.begin());
 }
 
-std::string limit_sentence(const FrameTimes& times) {
+std::string limit_sentence(const FrameTimes& times, bool on_processor) {
   const std::array<double, 4> parts = parts_of(times);
   const double whole = times.frame_ms();
   if (whole <= 0.0) return {};
   const auto most = static_cast<std::size_t>(limiting_part(times));
+  const auto name = [on_processor](std::size_t part) {
+    const bool fills = on_processor && part == static_cast<std::size_t>(Limiter::gpu);
+    return fills ? filling_by_processor : part_names[part];
+  };
   std::string others;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (i == most) continue;
-    others += (others.empty() ? "" : ", ") + std::string(list_names[i]) + " " + milliseconds(parts[i]);
+    others += (others.empty() ? "" : ", ") + std::string(name(i).listed) + " " + milliseconds(parts[i]);
   }
-  return std::string(sentence_names[most]) + " limits you: " + milliseconds(parts[most]) + " of " +
+  return std::string(name(most).first) + " takes the longest: " + milliseconds(parts[most]) + " of " +
          milliseconds(whole) + " ms a frame; " + others;
 }
 

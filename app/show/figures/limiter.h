@@ -27,9 +27,9 @@ enum class Limiter : std::uint8_t { animation, upload, submission, gpu };
 /// Returns the part that takes most of the frame, the earlier one of two that take equally long.
 Limiter limiting_part(const FrameTimes& times);
 
-/// Returns "Animation limits you: 4.1 of 9.3 ms a frame; upload 0.3, draw submission 0.6, GPU 4.3", or nothing before
-/// the first frame.
-std::string limit_sentence(const FrameTimes& times);
+/// Returns "Animation takes the longest: 4.1 of 9.3 ms a frame; upload 0.3, draw submission 0.6, GPU 4.3", or nothing
+/// before the first frame. `on_processor`: no GPU draws, but the processor.
+std::string limit_sentence(const FrameTimes& times, bool on_processor);
 
 /// Returns why skipping updates saves little at a low frame rate, below 25 frames a second: something else takes the
 /// frame, or frames are so long that hardly any agent may miss one. `agents_by_interval[i]` agents in view are posed
@@ -40,7 +40,7 @@ std::string skipping_sentence(const FrameTimes& times, std::span<const int> agen
 class LimiterOverFrames {
  public:
   void add(const FrameTimes& times);
-  std::string sentence() const { return limit_sentence(mean_); }
+  std::string sentence(bool on_processor) const { return limit_sentence(mean_, on_processor); }
   const FrameTimes& mean() const { return mean_; }
 
  private:

@@ -59,18 +59,22 @@ std::string cast_sentence(const CharacterSource& character, const std::string& n
 }  // namespace
 
 std::string software_notice(const std::string& renderer, const DeviceChoices& choices) {
-  std::string list;
-  const auto add = [&list](bool is_spared, const std::string& words) {
-    if (is_spared) list += (list.empty() ? "" : ", ") + words;
+  std::vector<std::string> parts, options;
+  const auto add = [&](bool is_spared, const std::string& words, const char* option) {
+    if (!is_spared) return;
+    parts.push_back(words);
+    options.emplace_back(option);
   };
-  add(choices.agents > 0, std::to_string(choices.agents) + " agents");
-  add(choices.no_multisampling, "no multisampling");
-  add(choices.no_shadows && !choices.holds_rate, "no shadows");
-  add(choices.error_px > 0, "an error of " + shortest_text(choices.error_px) + " pixels");
+  add(choices.agents > 0, counted(static_cast<std::size_t>(choices.agents), "agent"), "--agents");
+  add(choices.no_multisampling, "no multisampling", "--msaa");
+  add(choices.no_shadows && !choices.holds_rate, "no shadows", "--shadows");
+  add(choices.error_px > 0, "errors of up to " + shortest_text(choices.error_px) + " pixels", "--error-px");
   add(choices.triangles > 0 && !choices.holds_rate,
-      "at most " + std::to_string(choices.triangles) + " triangles of people");
-  if (list.empty()) return {};
-  return "Drawn on the processor (" + renderer + "): " + list + " unless asked otherwise.";
+      "at most " + with_thousands(static_cast<std::uint64_t>(choices.triangles)) + " triangles", "--triangle-budget");
+  if (parts.empty()) return {};
+  return "No graphics card draws here; the processor does, by " + renderer + ". To keep up it starts with " +
+         joined(parts, ", ", " and ") + "; " + joined(options, ", ", " and ") +
+         (options.size() == 1 ? " changes" : " change") + " that.";
 }
 
 std::string import_notice(std::span<const CharacterSource> characters) {
@@ -114,12 +118,12 @@ std::string rules_notice(std::span<const Clothing> clothing) {
 std::string tracks_notice(const Trajectories& trajectories) {
   const std::string counts = trajectories.is_live ? "rows as they come."
                                                   : counted_people(trajectories.persons.size()) + ", " +
-                                                        std::to_string(trajectories.row_count) + " rows.";
+                                                        counted(trajectories.row_count, "row") + ".";
   std::string notice = trajectories.file + ": " + trajectories.format + ", " + counts;
   for (const std::string& sentence : trajectories.remarks) notice += " " + sentence;
   std::size_t odd = 0;
   for (const OddityCount& found : trajectories.report.found) odd += found.count;
-  if (odd > 0) notice += " " + std::to_string(odd) + " odd things in it are listed by throng inspect.";
+  if (odd > 0) notice += " throng inspect lists " + counted(odd, "odd thing") + " in it.";
   return notice;
 }
 

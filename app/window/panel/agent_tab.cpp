@@ -24,12 +24,12 @@ constexpr float right_margin = 20;  // as wide as the column of resets, which fa
 
 void show_who(const TabContext& context, const SelectionReport& selected) {
   Widgets& widgets = context.widgets;
-  widgets.section(("Agent " + with_thousands(selected.agent)).c_str());
+  widgets.section(capitalised(name_of(selected)).c_str());
   widgets.fact("Does", habit_words.at(static_cast<std::size_t>(selected.habit)),
                {.what = "What the crowd has in mind for it."});
   widgets.fact("Posture", posture_words.at(static_cast<std::size_t>(selected.posture)),
                {.what = "Upright, or how a rag-doll is."});
-  widgets.fact("Blocks", std::to_string(selected.entities.size()) + ", " + size_text(selected.bytes),
+  widgets.fact("Blocks", with_thousands(selected.entities.size()) + ", " + size_text(selected.bytes),
                {.what = "Its entities in main memory."});
   show_view_button(widgets, "View alone", ImGui::GetContentRegionAvail().x, context.requests);
 }
@@ -196,7 +196,7 @@ void show_blocks(const TabContext& context, const SelectionReport& selected) {
 
 void show_agent_tab(const TabContext& context) {
   if (!context.report.selected) {
-    context.widgets.section("Nobody is selected");
+    context.widgets.section("No agent is selected");
     context.widgets.caption("Click at a character.");
     return;
   }

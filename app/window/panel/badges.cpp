@@ -1,6 +1,6 @@
 #include "app/window/panel/badges.h"
 
-#include "app/window/panel/controls/numbers.h"
+#include "app/window/panel/cards.h"
 
 namespace throng::app {
 namespace {
@@ -12,9 +12,8 @@ std::string clock_text(double seconds) {
 }
 
 std::string forced_for(const TabContext& context) {
-  if (!context.tuning.inspection.force_selected_only) return " for everyone";
-  return context.report.selected ? " for agent " + with_thousands(context.report.selected->agent)
-                                 : " for the selected agent";
+  if (!context.tuning.inspection.force_selected_only) return " for all agents";
+  return context.report.selected ? " for " + name_of(*context.report.selected) : " for the selected agent";
 }
 
 std::string taken_away_words(const TakenAway& away) {

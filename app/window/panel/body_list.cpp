@@ -9,11 +9,7 @@
 namespace throng::app {
 namespace {
 
-std::string label_of(anim::BodyRole part) {
-  std::string words = words_of(part);
-  words.front() = static_cast<char>(words.front() - 'a' + 'A');
-  return words;
-}
+std::string label_of(anim::BodyRole part) { return capitalised(words_of(part)); }
 
 /// Returns the place of the bone that a person says for a part, or -1.
 int said_bone(const BodyParts& body, anim::BodyRole part) {
@@ -41,7 +37,7 @@ void show_part(const TabContext& context, anim::BodyRole part) {
           label.c_str(), bone, -1, body.bones, guessed.c_str(),
           {.what = "The bone that is this part of the body. Guessed: as the file says, or as names and "
                    "shape of the skeleton suggest.",
-           .cost = "Changing it places all agents anew."})) {
+           .cost = places_all_anew})) {
     context.requests.ask(SetBody{context.report.character, with_part(body, part, bone)});
   }
   if (body.refused != part || context.widgets.is_searching()) return;
@@ -68,7 +64,7 @@ void show_open_list(const TabContext& context) {
 
 void show_body(const TabContext& context) {
   bool& open = context.memory.shows_body;
-  context.widgets.section("Body");
+  if (!context.widgets.folding_section("Body")) return;
   if (wide_button(context.widgets, open ? "Hide parts" : "Show parts",
                   {.what = "Which bone is which part of the body. Feet, gaze and falling go by it."})) {
     open = !open;

@@ -136,7 +136,7 @@ void show_bone_lod_tab(const TabContext& context) {
   context.when_not_searching(show_distances_as_band);
   // The same value as *Force level* of the other tab, beside the bones that it drops.
   show_forced_level(context, "Preview level",
-                    "Shows everyone in view with the bones of this level, to look at what it loses.");
+                    "Shows all agents in view with the bones of this level, for a look at what it loses.");
   show_meshes(context);
   context.when_not_searching(show_agents_by_level);
   context.when_not_searching(show_bone_list);

@@ -6,6 +6,7 @@
 #include "app/show/camera/fly_camera.h"
 #include "app/show/camera/scenes.h"
 #include "app/window/panel/tabs.h"
+#include "app/window/panel/cards.h"
 
 namespace throng::app {
 namespace {
@@ -45,7 +46,7 @@ void say_who_moves_it(const TabContext& context) {
   if (cameras.films) {
     context.widgets.caption("A film, a path or a live crowd moves the camera. Fly, and it is yours.");
   } else if (cameras.follows && context.report.selected) {
-    context.widgets.caption("The camera follows agent " + std::to_string(context.report.selected->agent) + ".");
+    context.widgets.caption("The camera follows " + name_of(*context.report.selected) + ".");
   } else if (cameras.can_film) {
     context.widgets.caption("The camera is yours. Home gives it back to the film or the path.");
   }
@@ -69,7 +70,7 @@ void show_bookmarks(const TabContext& context) {
 
 void show_camera_section(const TabContext& context) {
   Widgets& widgets = context.widgets;
-  widgets.section("Camera");
+  if (!widgets.folding_section("Camera")) return;
   show_scene_cameras(context);
   show_ways_to_go(context);
   say_who_moves_it(context);

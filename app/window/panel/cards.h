@@ -6,6 +6,7 @@
 #include "app/show/report/frame_report.h"
 #include "app/show/request/requests.h"
 #include "app/window/panel/controls/widgets.h"
+#include "app/window/panel/selected_name.h"
 
 namespace throng::app {
 

@@ -15,14 +15,14 @@
 namespace throng::app {
 namespace {
 
-std::string file_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
-
 // A single character is a fact; among several, a person picks the one whose roles and bones are shown.
 void show_characters(const TabContext& context) {
   const FrameReport& report = context.report;
   if (report.characters.size() < 2) {
-    context.widgets.fact("Model", report.characters.empty() ? "" : report.characters.front(),
-                         {.what = "The character of every agent. Drop another file, or several, on the window."});
+    const std::string file = report.characters.empty() ? "" : report.characters.front();
+    context.widgets.fact(
+        "Model", file_name(file),
+        {.what = "The character of every agent. Drop another file, or several, on the window.", .unit = file.c_str()});
     return;
   }
   std::vector<std::string> names;
@@ -35,7 +35,7 @@ void show_characters(const TabContext& context) {
 }
 
 void show_who(const TabContext& context) {
-  context.widgets.section("Who");
+  if (!context.widgets.folding_section("Who")) return;
   show_characters(context);
   if (wide_button(context.widgets, "View model",
                   {.what = "Shows the character alone, clip by clip, while the crowd waits."})) {
@@ -44,32 +44,33 @@ void show_who(const TabContext& context) {
   context.row("scene", {.what = "plaza: people cross, stop and talk. parade: companies march past spectators. "
                                 "stadium: seats on tiers, and a wave that runs round. grid: everyone stands in rows. "
                                 "film: a cut scene with an actor, a balloon and a camera.",
-                        .cost = "Changing it places all agents anew."});
+                        .cost = places_all_anew});
   context.row("agents", {.what = "Characters in the crowd, each in a pose of its own.",
                          .unit = "1 to 100,000",
                          .cost = "Animation grows with agents in view, memory with all of them."});
   context.row("seed", {.what = "Decides phases, speeds, heights, colours and places. The same seed is the same crowd.",
                        .unit = "0 to 4,294,967,295; the track reaches 9,999",
-                       .cost = "Changing it places all agents anew."});
+                       .cost = places_all_anew});
   context.row("variety",
               {.what = "Agents of one character differ in height, colours and build, as the next two rows say. Off: "
                        "they are all as its file has it.",
-               .cost = "Changing it places all agents anew."});
+               .cost = places_all_anew});
   context.row("tint",
               {.what = "How much agents differ in colours: 1 as much as they can, 0 not at all. A model whose colours "
                        "are its file's own gets lighter, darker, warmer and cooler.",
-               .cost = "Changing it places all agents anew."});
-  context.row("size_variety", {.what = "How much agents differ in size, as a share of it.",
-                               .unit = "0 to 0.3",
-                               .cost = "Changing it places all agents anew."});
+               .cost = places_all_anew});
+  context.row(
+      "size_variety",
+      {.what = "How much agents differ in size, as a share of it.", .unit = "0 to 0.3", .cost = places_all_anew});
   context.row("clothes",
-              {.what = "own: everybody wears colours of their own. pattern: colours by place, which make one "
+              {.what = "own: each person wears colours of their own. pattern: colours by place, which make one "
                        "large shape that is seen from above; the camera tower shows it.",
-               .cost = "Changing it places all agents anew."});
-  context.row("placed_feet",
-              {.what = "Feet near by stand where they came down; with LOD off everyone's. Off: they go as the clip has "
-                       "them, and slide in turns.",
-               .cost = "Some microseconds an agent."});
+               .cost = places_all_anew});
+  context.row(
+      "placed_feet",
+      {.what = "Feet stay where they came down, of people near by, or of all where the rule of LOD is off. Off: "
+               "feet move as the clip has them, and slide in turns.",
+       .cost = "Some microseconds an agent."});
 }
 
 constexpr double usual_most_share = 100;
@@ -84,7 +85,7 @@ std::string cast_label(const std::vector<std::string>& names, std::size_t charac
 void show_cast(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, requests, memory] = context;
   if (report.characters.size() < 2 || report.cast.size() != report.characters.size()) return;
-  widgets.section("Cast");
+  if (!widgets.folding_section("Cast")) return;
   const bool counts_heads =
       std::ranges::any_of(report.cast, [](const CastMember& member) { return member.share > usual_most_share; });
   const NumberScale scale{.lowest = least_share,
@@ -97,13 +98,13 @@ void show_cast(const TabContext& context) {
     const std::string agents =
         counted(static_cast<std::size_t>(member.agents), "agent") + " now. A share counts beside those of the others.";
     double share = member.share;
-    const Help help{.what = agents.c_str(), .cost = "Changing it places all agents anew."};
+    const Help help{.what = agents.c_str(), .cost = places_all_anew};
     if (widgets.number(label.c_str(), share, member.starting_share, scale, help))
       requests.ask(SetShare{static_cast<CharacterNumber>(character), share});
   }
   std::string counts;
   for (const CastMember& member : report.cast) {
-    counts += (counts.empty() ? "" : " + ") + with_thousands(static_cast<std::uint64_t>(member.agents));
+    counts += (counts.empty() ? "" : " + ") + with_thousands(member.agents);
   }
   widgets.caption(counts + " agents");
   const std::string words = "Everyone is " + cast_label(report.characters, report.character);
@@ -153,7 +154,7 @@ void show_snapshots(const TabContext& context) {
 void show_time(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, requests, memory] = context;
   const std::vector<float>& ages = report.snapshots;
-  widgets.section("Time");
+  if (!widgets.folding_section("Time")) return;
   context.row("paused", {.what = "Holds the crowd; the camera still flies. Space does the same."});
   context.row("time_scale", {.what = "How fast the crowd's clock runs.", .unit = "times real time, 0 to 4"});
   show_snapshots(context);
@@ -166,12 +167,12 @@ void show_time(const TabContext& context) {
   if (report.tracks) return;
   widgets.caption(ages.empty()
                       ? "No snapshot yet."
-                      : std::to_string(ages.size()) + " snapshots, the newest " + fixed(ages.front(), 1) + " s ago.");
+                      : counted(ages.size(), "snapshot") + ", the newest " + fixed(ages.front(), 1) + " s ago.");
 }
 
 void show_light(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, requests, memory] = context;
-  widgets.section("Light");
+  if (!widgets.folding_section("Light")) return;
   ButtonRow buttons(widgets, static_cast<int>(times_of_day.size()));
   for (const TimeOfDay& time : times_of_day) {
     if (buttons.button(time.name, {.what = "Puts sun and clouds where they are at this time."}))
@@ -186,11 +187,10 @@ void show_light(const TabContext& context) {
               {.what = "How much of the sky clouds cover. At 1 the sun is behind them and casts no shadows."});
   context.row("exposure",
               {.what = "How bright the picture is. 0 suits the light.", .unit = "stops; each doubles the light"});
-  context.row("shadows", {.what = "Everything casts shadows on everything.",
+  context.row("shadows", {.what = "People and things cast shadows.",
                           .cost = "Each agent is drawn once or twice more, with coarser meshes."});
-  context.row("crowd_shade",
-              {.what = "Bodies keep the light of the sky from each other and from the ground between them.",
-               .cost = "One draw of small squares, and one texture read a pixel."});
+  context.row("crowd_shade", {.what = "Bodies darken each other and the ground between them, where they hide the sky.",
+                              .cost = "One draw of small squares, and one texture read a pixel."});
 }
 
 struct RoleRow {
@@ -200,26 +200,26 @@ struct RoleRow {
 };
 
 constexpr RoleRow role_rows[] = {
-    {Role::stand, "Stand", "The clip of those who stand. Without one, agents repeat what clips there are, in place."},
-    {Role::look_around, "Look around", "The clip of those who stop to look. Without one they stand."},
-    {Role::walk, "Walk", "The clip of those who walk. Without one nobody walks."},
-    {Role::jog, "Jog", "The clip of those who jog. Without one they walk."},
-    {Role::run, "Run", "The clip of those who run. Without one they jog or walk."},
-    {Role::wave, "Wave", "The clip of those who greet somebody."},
-    {Role::cheer, "Cheer", "The clip of those who cheer, and of the stadium's wave."},
-    {Role::clap, "Clap", "The clip of those who applaud."},
-    {Role::sit, "Sit", "The clip of those who have a seat. Without one they stand."},
-    {Role::walk_back, "Walk back", "The clip of those who step back where a file of trajectories says so."},
-    {Role::step_left, "Step left", "The clip of those who step to their left where a file of trajectories says so."},
-    {Role::step_right, "Step right", "The clip of those who step to their right where a file of trajectories says so."},
-    {Role::shuffle, "Shuffle", "The clip of those who move on in a jam, where a file of trajectories says so."},
-    {Role::step_in_place, "Step in place",
-     "The clip of those who hardly get on, where a file of trajectories says so."},
+    {Role::stand, "Stand", "The clip of people who stand. Without one, agents repeat what clips there are, in place."},
+    {Role::look_around, "Look around", "The clip of people who stop to look. Without one they stand."},
+    {Role::walk, "Walk", "The clip of people who walk. Without one all stand."},
+    {Role::jog, "Jog", "The clip of people who jog. Without one they walk."},
+    {Role::run, "Run", "The clip of people who run. Without one they jog or walk."},
+    {Role::wave, "Wave", "The clip of people who greet another."},
+    {Role::cheer, "Cheer", "The clip of people who cheer, and of the stadium's wave."},
+    {Role::clap, "Clap", "The clip of people who applaud."},
+    {Role::sit, "Sit", "The clip of people who have a seat. Without one they stand."},
+    {Role::walk_back, "Walk back", "The clip of people who step back where a file of trajectories says so."},
+    {Role::step_left, "Step left", "The clip of people who step to their left where a file of trajectories says so."},
+    {Role::step_right, "Step right",
+     "The clip of people who step to their right where a file of trajectories says so."},
+    {Role::shuffle, "Shuffle", "The clip of people who move on in a jam, where a file of trajectories says so."},
+    {Role::step_in_place, "Step in place", "The clip of people who hardly move, where a file of trajectories says so."},
     {Role::veer_left, "Veer left",
-     "The clip of those who walk on and a little to their left, by a file of trajectories."},
+     "The clip of people who walk on and a little to their left, by a file of trajectories."},
     {Role::veer_right, "Veer right",
-     "The clip of those who walk on and a little to their right, by a file of trajectories."},
-    {Role::talk, "Talk", "The clip of those who talk to who stands near, in a file of trajectories."},
+     "The clip of people who walk on and a little to their right, by a file of trajectories."},
+    {Role::talk, "Talk", "The clip of people who talk to a neighbour, in a file of trajectories."},
 };
 
 void show_role(const TabContext& context, const RoleRow& row, RoleClips& clips) {
@@ -235,7 +235,7 @@ void show_role(const TabContext& context, const RoleRow& row, RoleClips& clips) 
 
 void show_roles(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, requests, memory] = context;
-  widgets.section("Roles");
+  if (!widgets.folding_section("Roles")) return;
   RoleClips clips = report.role_clips;
   const auto show_all = [&](bool of_scenes) {
     for (const RoleRow& row : role_rows) {
@@ -261,7 +261,7 @@ void show_in_view(const TabContext& context) {
   const FrameReport& report = context.report;
   Widgets& widgets = context.widgets;
   const auto count = [](auto value) { return with_thousands(static_cast<std::uint64_t>(value)); };
-  widgets.section("In this frame");
+  if (!widgets.folding_section("In this frame")) return;
   widgets.fact("In view", count(report.visible) + " of " + count(report.agents),
                {.what = "Agents inside the camera's frustum."});
   widgets.fact("Poses computed", count(report.work.agents_updated),

@@ -1,6 +1,7 @@
 // The error on the screen: its figures with their chance intervals, and their history beside the limit.
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "app/window/panel/controls/plots.h"
 #include "app/window/panel/tabs.h"
@@ -51,13 +52,6 @@ void show_error_figures(Widgets& widgets, const ErrorReport& error) {
                         "1,000 of them, which the error limit learns from."});
 }
 
-void draw_error_legend(const Theme& theme, const Area& graph, float top) {
-  const float x = graph.to.x + theme.px(6);
-  draw_text(theme.small, {x, graph.from.y - theme.px(2)}, colour::faint, fixed(top, top < 1 ? 2 : 0) + " px");
-  draw_text(theme.small, {x, graph.to.y - 2 * font_height(theme.small)}, colour::accent, "p99");
-  draw_text(theme.small, {x, graph.to.y - font_height(theme.small)}, colour::frame, "pop");
-}
-
 void show_error_history(Widgets& widgets, const ErrorReport& error, float limit) {
   const Theme& theme = widgets.theme();
   Area graph = widgets.area("Error history", 84);
@@ -71,15 +65,18 @@ void show_error_history(Widgets& widgets, const ErrorReport& error, float limit)
   draw_line(graph, error.pop_history, top, ErrorHistory::most_values, colour::with_alpha(colour::frame, 0.6F),
             theme.px(1));
   draw_line(graph, error.p99_history, top, ErrorHistory::most_values, colour::accent, theme.px(2));
-  draw_error_legend(theme, graph, top);
-  if (limit > 0) draw_limit(theme, graph, limit, top, "limit");
+  std::vector<SideLabel> labels{{1, colour::faint, fixed(top, top < 1 ? 2 : 0) + " px"},
+                                {0.01F, colour::accent, "p99"},
+                                {0, colour::frame, "pop"}};
+  if (limit > 0) labels.push_back(draw_limit(theme, graph, limit, top, "limit"));
+  draw_beside(theme, graph, labels);
 }
 
 const char* why_no_figures(const TabContext& context) {
   if (context.tuning.error_sample == ErrorSampling::off && context.tuning.debug_view != DebugView::error) {
-    return "Nobody is measured: Measure is off.";
+    return "No agent is measured: Measure is off.";
   }
-  return context.report.visible == 0 ? "Nobody is in view." : "Nobody in view has been posed twice yet.";
+  return context.report.visible == 0 ? "No agent is in view." : "No agent in view has been posed twice yet.";
 }
 
 }  // namespace
@@ -89,8 +86,8 @@ void show_error(const TabContext& context) {
   context.widgets.section("Error on the screen");
   context.row(
       "error_sample",
-      {.what = "Whose error is measured. some: those on whom it is seen, by chance, and the more the fewer there "
-               "are. all: everybody in view. off: nobody, so the error limit learns nothing.",
+      {.what = "Whose error is measured. some: a sample of the agents on whom it shows, and a larger share of a small "
+               "crowd. all: all in view. off: none, so the error limit learns nothing.",
        .cost = "some: 5% of the animation, or four agents a frame. all: more than the animation itself."});
   if (context.widgets.is_searching()) return;
   show_error_figures(context.widgets, error);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "app/window/panel/cards.h"
 #include "app/window/panel/controls/plots.h"
@@ -45,15 +46,11 @@ float graph_top(const FrameReport& report) {
   return round_up(std::max(20.0F, 1.15F * at_percent(report.frame_ms_history, 95)));
 }
 
-void draw_scale(const Theme& theme, const Area& graph, float top) {
+void draw_scale(const Area& graph) {
   for (const float share : {0.25F, 0.5F, 0.75F}) {
     const float y = std::floor(graph.to.y - share * graph.height()) + 0.5F;
     ImGui::GetWindowDrawList()->AddLine({graph.from.x, y}, {graph.to.x, y}, colour::grid);
   }
-  draw_text(theme.small, {graph.to.x + theme.px(6), graph.from.y - theme.px(8)}, colour::faint, fixed(top, 0) + " ms");
-  // Where the limit lies at the bottom, its words take the place of 0.
-  if (display_interval_ms / top * graph.height() < theme.px(16)) return;
-  draw_text(theme.small, {graph.to.x + theme.px(6), graph.to.y - theme.px(12)}, colour::faint, "0");
 }
 
 float x_of(const Area& graph, int frames_ago) {
@@ -117,10 +114,13 @@ void show_frame_strip(Widgets& widgets, const Area& place, const FrameReport& re
   look_by_keys(widgets.stop("Frame graph", graph), report, requests);
   draw_well(theme, graph);
   const float top = graph_top(report);
-  draw_scale(theme, graph, top);
+  draw_scale(graph);
   draw_line(graph, report.frame_ms_history, top, frames_shown, colour::frame, theme.px(1.5F));
   draw_line(graph, report.update_ms_history, top, frames_shown, colour::accent, theme.px(1.5F));
-  draw_limit(theme, graph, display_interval_ms, top, "16.7 ms");
+  draw_beside(
+      theme, graph,
+      std::vector{SideLabel{1, colour::faint, fixed(top, 0) + " ms"},
+                  draw_limit(theme, graph, display_interval_ms, top, "16.7 ms"), SideLabel{0, colour::faint, "0"}});
   draw_kept_frames(theme, graph, report);
   show_frame_under_pointer(graph, report, requests);
   ImGui::End();

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <utility>
@@ -83,7 +85,7 @@ constexpr std::array scheduling_lines = std::to_array<HelpLine>({
     {"Local store", "That memory. Entities are copied in, updated there and copied out."},
     {"L1, L2", "The processor's caches: a store of that size stays in one of them."},
     {"Tile", "The agents that a PU updates at a time."},
-    {"Grain", "The work that a PU takes from the queue at once, in microseconds."},
+    {"Grain", "The least work for which another PU is woken, in microseconds."},
     {"Schedule", "fused: a tile goes through all entities in one go. levels: one priority after the other."},
     {"Double buffer", "The next tile is copied in while this one is updated."},
     {"Priority", "The order of updates: whatever reads another entity comes after it."},
@@ -108,8 +110,9 @@ constexpr std::array chapters = std::to_array<HelpChapter>({{"Keys", key_lines},
                                                             {"Scheduling", scheduling_lines},
                                                             {"Entities", entity_lines}});
 
-constexpr float help_width = 440, help_word_width = 104, help_margin = 16, help_line_gap = 5, chapter_height = 26,
-                search_line_height = 36;
+constexpr float help_width = 876, help_word_width = 104, help_margin = 16, help_line_gap = 4, chapter_height = 24,
+                search_line_height = 34, column_gap = 24, least_column = 280;
+constexpr float most_for_help = 0.95F;  // of the crowd, which a person who reads does not look at
 
 std::vector<HelpLine> found_in(const HelpChapter& chapter, const std::string& searched) {
   std::vector<HelpLine> lines;
@@ -119,36 +122,77 @@ std::vector<HelpLine> found_in(const HelpChapter& chapter, const std::string& se
   return lines;
 }
 
-float meaning_width(const Theme& theme) { return theme.px(help_width - 2 * help_margin - help_word_width - 12); }
+/// The lines of a chapter in two columns of about equal height, or in one where the card is narrow.
+class HelpColumns {
+ public:
+  HelpColumns(Widgets& widgets, float card_width) : widgets_(widgets), theme_(widgets.theme()) {
+    const float all = card_width - theme_.px(2 * help_margin), half = (all - theme_.px(column_gap)) / 2;
+    has_two_ = half >= theme_.px(least_column);
+    width_ = has_two_ ? half : all;
+  }
 
-float height_of_line(const Theme& theme, const HelpLine& line) {
-  return wrapped_height(theme.regular, meaning_width(theme), line.meaning) + theme.px(help_line_gap);
-}
+  [[nodiscard]] float height_of(std::span<const HelpLine> lines) const {
+    const std::size_t first = first_column(lines);
+    return std::max(sum_of(lines.first(first)), sum_of(lines.subspan(first)));
+  }
+  void draw(ImVec2 at, std::span<const HelpLine> lines) const {
+    const std::size_t first = first_column(lines);
+    draw_column(at, lines.first(first));
+    draw_column({at.x + width_ + theme_.px(column_gap), at.y}, lines.subspan(first));
+  }
 
-float draw_help_line(const Theme& theme, ImVec2 at, const HelpLine& line) {
-  draw_text(theme.regular, at, colour::accent, line.word);
-  draw_wrapped(theme.regular, {at.x + theme.px(help_word_width), at.y}, colour::text, meaning_width(theme),
-               line.meaning);
-  return at.y + height_of_line(theme, line);
-}
+ private:
+  [[nodiscard]] float meaning_width() const { return width_ - theme_.px(help_word_width); }
+  [[nodiscard]] float height_of(const HelpLine& line) const {
+    return wrapped_size(theme_.regular, meaning_width(), line.meaning).y + theme_.px(help_line_gap);
+  }
+  [[nodiscard]] float sum_of(std::span<const HelpLine> lines) const {
+    float sum = 0;
+    for (const HelpLine& line : lines) sum += height_of(line);
+    return sum;
+  }
+  [[nodiscard]] std::size_t first_column(std::span<const HelpLine> lines) const {
+    if (!has_two_) return lines.size();
+    const float half = sum_of(lines) / 2;
+    std::size_t count = 0;
+    for (float sum = 0; count < lines.size() && sum < half; ++count) sum += height_of(lines[count]);
+    return count;
+  }
+  void draw_column(ImVec2 at, std::span<const HelpLine> lines) const {
+    for (const HelpLine& line : lines) {
+      draw_text(theme_.regular, at, colour::accent, line.word);
+      draw_wrapped(theme_.regular, {at.x + theme_.px(help_word_width), at.y}, colour::text, meaning_width(),
+                   line.meaning);
+      const float below = at.y + height_of(line);
+      widgets_.record(std::string("help:") + line.word, {.from = at, .to = {at.x + width_, below}});
+      at.y = below;
+    }
+  }
+
+  Widgets& widgets_;
+  const Theme& theme_;
+  float width_;  ///< of a column
+  bool has_two_;
+};
 
 }  // namespace
 
 bool show_help_card(Widgets& widgets, const Area& crowd, std::string& searched) {
   const Theme& theme = widgets.theme();
+  const float width = std::min(theme.px(help_width), crowd.width() - theme.px(24));
+  const HelpColumns columns(widgets, width);
   std::vector<std::pair<const char*, std::vector<HelpLine>>> found;
   float height = theme.px(search_line_height + help_margin);
   for (const HelpChapter& chapter : chapters) {
     std::vector<HelpLine> lines = found_in(chapter, searched);
     if (lines.empty()) continue;
-    height += theme.px(chapter_height + help_line_gap);
-    for (const HelpLine& line : lines) height += height_of_line(theme, line);
+    height += theme.px(chapter_height + help_line_gap) + columns.height_of(lines);
     found.emplace_back(chapter.title, std::move(lines));
   }
-  const ImVec2 size(theme.px(help_width), height);
-  const Card card(
-      widgets, "Help", crowd,
-      {.at = {crowd.from.x + (crowd.width() - size.x) / 2, crowd.from.y + crowd.height() * 0.3F}, .size = size});
+  const Card card(widgets, "Help", crowd,
+                  {.at = {crowd.from.x + (crowd.width() - width) / 2, crowd.from.y},
+                   .size = {width, height},
+                   .most = most_for_help});
   if (!card.is_unfolded()) return card.was_closed();
   ImVec2 at(card.content().from.x + theme.px(help_margin), card.content().from.y + theme.px(6));
   ImGui::SetCursorScreenPos(at);
@@ -157,8 +201,8 @@ bool show_help_card(Widgets& widgets, const Area& crowd, std::string& searched) 
   for (const auto& [title, lines] : found) {
     draw_text(theme.strong, at, colour::text, title);
     at.y += theme.px(chapter_height);
-    for (const HelpLine& line : lines) at.y = draw_help_line(theme, at, line);
-    at.y += theme.px(help_line_gap);
+    columns.draw(at, lines);
+    at.y += columns.height_of(lines) + theme.px(help_line_gap);
   }
   return card.was_closed();
 }

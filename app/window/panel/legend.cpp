@@ -50,7 +50,7 @@ LegendPart intervals_legend(const FrameReport& report, const Tuning& tuning) {
 
 std::vector<std::string> of_shown_character(const FrameReport& report, const char* what) {
   if (report.characters.size() < 2 || report.character >= report.characters.size()) return {};
-  return {std::string(what) + " of " + report.characters[report.character]};
+  return {std::string(what) + " of " + file_name(report.characters[report.character])};
 }
 
 LegendPart bones_legend(const FrameReport& report) {

@@ -143,11 +143,7 @@ void show_fold(Widgets& widgets, const Area& place, bool& is_folded) {
   const Area line{.from = place.from, .to = {place.to.x, place.from.y + theme.px(legend_row + 7)}};
   if (widgets.clickable("legend.fold", line)) is_folded = !is_folded;
   const ImVec2 middle(line.to.x - theme.px(legend_padding + 4), line.from.y + theme.px(6 + legend_row / 2 - 1));
-  const float arm = theme.px(4), way = is_folded ? -1.0F : 1.0F;
-  const ImU32 ink = ImGui::IsItemHovered() ? colour::text : colour::dim;
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddLine({middle.x - arm, middle.y - way * arm / 2}, {middle.x, middle.y + way * arm / 2}, ink, theme.px(1.5F));
-  draw.AddLine({middle.x, middle.y + way * arm / 2}, {middle.x + arm, middle.y - way * arm / 2}, ink, theme.px(1.5F));
+  draw_fold_sign(theme, middle, is_folded, ImGui::IsItemHovered() ? colour::text : colour::dim);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
+#include <vector>
 
 #include "app/settings/choices.h"
 #include "app/window/panel/controls/plots.h"
@@ -24,11 +26,11 @@ void show_distances(const TabContext& context) {
 void show_limits(const TabContext& context) {
   context.row("error_px",
               {.what = "99% of the agents drawn are no farther than this from their exact pose, on the screen.",
-               .unit = "pixels; none: as far as the time limit asks",
-               .cost = "The fewer, the more updates and bones."});
+               .unit = "pixels; none: the time limit alone counts",
+               .cost = "A smaller limit costs more updates and more bones."});
   context.row("budget_ms",
-              {.what = "All poses of a frame take no longer, over all PUs, by prediction. Those are degraded first on "
-                       "whom it is seen least.",
+              {.what = "Posing a frame takes no longer than this, as predicted, summed over all PUs. Agents on whom it "
+                       "shows least lose detail first.",
                .unit = "milliseconds; none: as long as it takes"});
 }
 
@@ -45,14 +47,14 @@ void show_what_binds(const TabContext& context) {
 void show_rule(const TabContext& context) {
   context.widgets.section("Rule");
   context.row("lod",
-              {.what = "off: every agent is updated in every frame, seen or not. distance: the farther, the rarer. "
-                       "budget: as rarely as pixels and milliseconds allow.",
-               .cost = "off is the full price of the crowd."});
+              {.what = "off: every agent is updated in every frame, seen or not. distance: far agents are updated "
+                       "less often. budget: each as seldom as the limits in pixels and milliseconds allow.",
+               .cost = "off costs the most: the whole crowd in each frame."});
   show_limits(context);
   show_distances(context);
   context.row("largest_interval", {.what = "No agent waits longer for its next pose.",
                                    .unit = "frames, 1 to 16",
-                                   .cost = "Cost falls with it, until steps begin to show."});
+                                   .cost = "A longer interval costs less, until steps begin to show."});
   context.row("smooth",
               {.what = "The vertex shader blends from the pose shown now to one computed ahead, so that skipping does "
                        "not stutter.",
@@ -71,8 +73,8 @@ void show_looking(const TabContext& context) {
   context.unless_idle("thresholds", [&] {
     context.widgets.toggle(
         "Thresholds", look.thresholds, plain.thresholds,
-        {.what = "Draws a ring on the ground wherever the interval changes, in that interval's colour. By the error "
-                 "limit that is for the clip that most of those in view play."});
+        {.what = "Draws a ring on the ground wherever the interval changes, in that interval's colour. With the "
+                 "rule budget they are for the clip that most agents in view play."});
   });
   widgets.toggle("Above heads", look.figures_above_heads, plain.figures_above_heads,
                  {.what = "Writes each agent's interval above its head, and after an L its bone level where bones are "
@@ -81,9 +83,9 @@ void show_looking(const TabContext& context) {
   context.unless_idle("split", [&] {
     context.widgets.choice(
         "Split", look.split, plain.split, split_words,
-        {.what = "Left of a line the exact crowd: everyone posed now, with all bones and triangles. Right of it "
+        {.what = "Left of a line the exact crowd: all are posed now, with all bones and triangles. Right of it "
                  "the crowd as it is shown, or how far its picture is from the exact one, eight times as bright.",
-         .cost = "Everyone in view is posed once more in full, and drawn twice."});
+         .cost = "All in view are posed once more in full, and drawn twice."});
   });
   context.unless_idle("split_at", [&] {
     context.widgets.number("Split at", look.split_at, plain.split_at, {.decimals = 2},
@@ -93,11 +95,11 @@ void show_looking(const TabContext& context) {
 
 void show_forcing(const TabContext& context) {
   context.widgets.section("Try");
-  context.row("forced_interval", {.what = "Everyone in view is updated this rarely, whatever the rule says.",
+  context.row("forced_interval", {.what = "All agents in view are updated this seldom, whatever the rule says.",
                                   .unit = "frames, 1 to 16; rule: as the rule has it"});
   show_forced_level(context, tuning_value("forced_bone_level").label,
-                    "Everyone in view keeps the bones of this level. rule: by distance; 0: all bones.");
-  context.row("force_selected_only", {.what = "What is forced is forced on the selected agent only. Click at one."});
+                    "All agents in view keep the bones of this level. rule: as the rule says; 0: all bones.");
+  context.row("force_selected_only", {.what = "The forced values are for the selected agent alone. Click at one."});
   context.widgets.caption("Hold X for the exact crowd.");
 }
 
@@ -116,7 +118,7 @@ void show_intervals_over_distance(const TabContext& context) {
               .value_at = [&](float metres) { return interval_at(report.thresholds, metres); },
               .colour_of = [](int interval) { return colour::interval(interval); }});
   if (report.threshold_clip.empty()) return;
-  context.widgets.caption("Of " + report.threshold_clip + ", which most of those in view play, at " +
+  context.widgets.caption("For " + report.threshold_clip + ", which most agents in view play, at " +
                           pixels(report.lod.tolerance_px) +
                           ": each clip has distances of its own. Rings show the same.");
 }
@@ -135,8 +137,9 @@ void show_agents_by_interval(const TabContext& context) {
   for (std::size_t i = 0; i < counts.size(); ++i) work += counts[i] / static_cast<double>(i + 1);
   const double all = std::accumulate(counts.begin(), counts.end(), 0.0);
   if (all == 0) return;
-  context.widgets.caption("On average " + fixed(work, 0) + " poses a frame for " + fixed(all, 0) +
-                          " agents in view: " + fixed(100 * work / all, 0) + "% of the work without skipping.");
+  context.widgets.caption("On average " + with_thousands(std::lround(work)) + " poses a frame for " +
+                          counted(static_cast<std::size_t>(all), "agent") + " in view: " + fixed(100 * work / all, 0) +
+                          "% of the work without skipping.");
 }
 
 constexpr float smoothing = 0.08F;  // the share of a new frame in the curve, which follows in a dozen frames
@@ -161,9 +164,9 @@ void show_budget(const TabContext& context) {
   const std::vector<float> smooth = smoothed(report.update_ms_history);
   draw_line(graph, report.update_ms_history, top, frames_shown, colour::with_alpha(colour::accent, 0.45F), theme.px(1));
   draw_line(graph, smooth, top, frames_shown, colour::accent, theme.px(2));
-  draw_text(theme.small, {graph.to.x + theme.px(6), graph.from.y - theme.px(2)}, colour::faint,
-            fixed(top, top < 1 ? 2 : 0) + " ms");
-  if (limit > 0) draw_limit(theme, graph, limit, top, milliseconds(limit));
+  std::vector<SideLabel> labels{{1, colour::faint, fixed(top, top < 1 ? 2 : 0) + " ms"}};
+  if (limit > 0) labels.push_back(draw_limit(theme, graph, limit, top, milliseconds(limit)));
+  draw_beside(theme, graph, labels);
   if (smooth.empty()) return;
   std::string words = "Measured, smoothed: " + milliseconds(smooth.back()) + ".";
   if (report.lod.predicted_ms > 0)
@@ -174,11 +177,11 @@ void show_budget(const TabContext& context) {
 
 void show_who_limits(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, requests, memory] = context;
-  widgets.section("Who limits you");
+  widgets.section("What limits the frame rate");
   widgets.steady_caption(report.limit_sentence);
   TakenAway& away = tuning.taken_away;
   const TakenAway& all = standard.taken_away;
-  const char* const cost = "Only to see what it costs: the frame rate without it.";
+  const char* const cost = "Shows the frame rate without this part.";
   widgets.toggle("No animation", away.animation, all.animation, {.what = "Time stands still.", .cost = cost});
   widgets.toggle("No upload", away.upload, all.upload,
                  {.what = "The records of the last frame are drawn again.", .cost = cost});

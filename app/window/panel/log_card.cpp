@@ -15,7 +15,7 @@ std::string ago(double seconds) { return seconds < 60 ? fixed(seconds, 0) + " s"
 float log_words_width(const Theme& theme) { return theme.px(log_width - 2 * log_margin - log_age_width); }
 
 float height_of_message(const Theme& theme, const Message& message) {
-  return wrapped_height(theme.regular, log_words_width(theme), message.words) + theme.px(log_line_gap);
+  return wrapped_size(theme.regular, log_words_width(theme), message.words).y + theme.px(log_line_gap);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ void show_lods(const TabContext& context) {
     const std::string where = by_error ? where_drawn(row) + ": " : std::string();
     context.widgets.fact(
         label.c_str(),
-        std::to_string(row.triangles) + " triangles, " + where + counted(static_cast<std::size_t>(row.agents), "agent"),
+        counted(row.triangles, "triangle") + ", " + where + counted(static_cast<std::size_t>(row.agents), "agent"),
         {.what = off.c_str()});
   }
 }
@@ -43,13 +43,13 @@ std::string what_holds(const TabContext& context) {
 
 std::string what_is_demoted(const TabContext& context) {
   const MeshFigures& crowd = context.report.meshes.crowd;
-  const std::string all = counted(crowd.triangles, "triangle") + " of all in view";
+  const std::string all = counted(crowd.triangles, "triangle") + " in view";
   if (context.tuning.triangle_budget == 0 || context.tuning.mesh_lod >= 0) return all + ".";
-  if (crowd.demoted == 0) return all + ": nobody is demoted, the limit holds.";
-  const std::string demoted = all + " instead of " + std::to_string(crowd.triangles_wanted) + ": " +
-                              counted(crowd.demoted, "agent") + " demoted, off by " + off_by(crowd.demoted_error_px) +
-                              " at most; the limit ";
-  return demoted + (crowd.budget_held ? "holds." : "does not hold, since all have their coarsest mesh.");
+  if (crowd.demoted == 0) return all + ", within the limit.";
+  const std::string coarser = all + " instead of " + with_thousands(crowd.triangles_wanted) + ": " +
+                              counted(crowd.demoted, "agent") + (crowd.demoted == 1 ? " has" : " have") +
+                              " a coarser mesh, off by " + off_by(crowd.demoted_error_px) + " at most. ";
+  return coarser + (crowd.budget_held ? "The limit holds." : "The limit is too low: all have their coarsest mesh.");
 }
 
 }  // namespace
@@ -61,8 +61,8 @@ void show_meshes(const TabContext& context) {
   context.unless_idle("mesh_lod", [&] {
     context.widgets.choose(tuning_value("mesh_lod").label, mesh, context.standard.mesh_lod + 1, mesh_words,
                            {.what = "auto: the coarsest mesh that keeps to the error below. A number: that one for "
-                                    "everyone, 0 is the full mesh.",
-                            .cost = "Triangles; on a software renderer most of the frame."});
+                                    "all, 0 is the full mesh.",
+                            .cost = "Triangles take most of the frame where the processor draws."});
   });
   tuning.mesh_lod = mesh - 1;
   const bool by_error = tuning.mesh_lod < 0;
@@ -70,11 +70,11 @@ void show_meshes(const TabContext& context) {
               {.what = "What a coarser mesh may be off on screen. Its surface and its colours count, as measured in "
                        "poses of all clips. Half of the error limit is the most that counts.",
                .unit = "pixels",
-               .cost = "Less: more triangles."});
+               .cost = "A smaller error costs more triangles."});
   context.row("triangle_budget",
-              {.what = "Triangles of all characters in view at most. Where the error above asks for more, those whose "
-                       "coarser mesh is seen least have it, whatever the error.",
-               .cost = "Less: coarser meshes, far people first."});
+              {.what = "Triangles of all characters in view at most. Where the error above asks for more, agents on "
+                       "whom a coarser mesh shows least get one, whatever the error.",
+               .cost = "A lower limit makes meshes coarser, of far people first."});
   if (widgets.is_searching()) return;
   widgets.caption(what_is_demoted(context));
   if (by_error) widgets.caption(what_holds(context));

@@ -50,7 +50,7 @@ void show_size(const TabContext& context, PlacementChoice& choice) {
 void show_model(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, requests, memory] = context;
   if (report.characters.empty()) return;
-  widgets.section("Model");
+  if (!widgets.folding_section("Model")) return;
   const bool is_dragged = memory.placement && memory.placement->character == report.character;
   const PlacementChoice before = is_dragged ? memory.placement->choice : report.placement.choice;
   PlacementChoice choice = before;

@@ -34,8 +34,7 @@ float pill_words_width(const Theme& theme, const Area& crowd, const Pill& pill) 
 }
 
 ImVec2 pill_size(const Theme& theme, const Area& crowd, const Pill& pill) {
-  const ImVec2 words = theme.regular->CalcTextSizeA(font_height(theme.regular), FLT_MAX,
-                                                    pill_words_width(theme, crowd, pill), pill.words.c_str());
+  const ImVec2 words = wrapped_size(theme.regular, pill_words_width(theme, crowd, pill), pill.words);
   return {words.x + theme.px(2 * pill_pad_x + dot_room + (pill.close ? cross_room : 0)),
           words.y + theme.px(2 * pill_pad_y + 2)};
 }

@@ -55,7 +55,8 @@ void PanelColumn::show_viewer(const Area& place, const TabContext& context, Over
   const FrameReport& report = context.report;
   begin(place, switches);
   show_below(place, theme_.px(header_height), "Viewer", [&] {
-    show_viewer_panel(widgets_, report.characters[report.viewer->character], *report.viewer, viewer_, context.requests);
+    show_viewer_panel(widgets_, file_name(report.characters[report.viewer->character]), *report.viewer, viewer_,
+                      context.requests);
   });
   ImGui::End();
 }

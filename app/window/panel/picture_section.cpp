@@ -13,10 +13,9 @@ void show_scale(const TabContext& context) {
   if (shows_all || view == DebugView::speed) context.row("top_speed", help);
   if (shows_all || view == DebugView::density) context.row("top_density", help);
   if (shows_all || view == DebugView::density) {
-    context.row("density_cut_off",
-                {.what = "How far a person's own ground reaches where nobody else is near, as PedPy's "
-                         "cut_off. A smaller one makes those at the edge denser.",
-                 .unit = "metres, 0.1 to 10"});
+    context.row("density_cut_off", {.what = "How far a person's own ground reaches where no other person is near, as "
+                                            "PedPy's cut_off. A smaller one makes people at the edge denser.",
+                                    .unit = "metres, 0.1 to 10"});
   }
   if (shows_all || view == DebugView::presence) context.row("top_presence", help);
 }
@@ -47,7 +46,7 @@ void show_quality(const TabContext& context) {
 
 void show_picture_section(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, requests, memory] = context;
-  widgets.section("Picture");
+  if (!widgets.folding_section("Picture")) return;
   show_quality(context);
   context.row("debug_view",
               {.what = "none: everyone's own clothes. interval: frames between updates. bones: per-bone LOD level. "
@@ -65,7 +64,7 @@ void show_picture_section(const TabContext& context) {
                .unit = "seconds, 0 to 30",
                .cost = "Some lines for each of them."});
   context.row("bones_as_lines",
-              {.what = "Draws the skeletons over the characters. Behind somebody else they show through faintly.",
+              {.what = "Draws the skeletons over the characters. Behind another character they show through faintly.",
                .cost = "Two draws a bone and agent in view."});
   context.row("scenery", {.what = "Draws houses, trees and seats around the crowd. It walks around them in any case.",
                           .cost = "One draw call, and the triangles in view."});

@@ -85,7 +85,7 @@ void show_replay_bar(Widgets& widgets, const Area& crowd, const ReplayReport& re
   const Area place = begin_bar(widgets, "Replay", crowd, bar::height);
   const float left = place.from.x + theme.px(bar::padding), right = place.to.x - theme.px(bar::padding);
   const float top = place.from.y + theme.px(9);
-  const std::string count = "frame " + std::to_string(replay.frame) + " of " + std::to_string(replay.frames);
+  const std::string count = "frame " + with_thousands(replay.frame) + " of " + with_thousands(replay.frames);
   draw_text(theme.small, {right, top}, colour::dim, count, 1);
   ImGui::PushClipRect({left, top},
                       {right - text_width(theme.small, count) - theme.px(BarControls::gap), top + theme.px(20)}, true);

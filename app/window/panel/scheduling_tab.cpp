@@ -29,8 +29,9 @@ void show_grain(const TabContext& context) {
     if (context.widgets.number(
             tuning_value("cost_least_task_ns").label, microseconds, swept_value(SweptValue::grain, context.standard),
             scale_of("cost_least_task_ns", grain_choices),
-            {.what = "Work that is worth another PU: no more of them are woken than have so much to do each. What a PU "
-                     "then takes at a time is a tile.",
+            {.what =
+                 "The least work for which another PU is woken: fewer take part where each would have less to do. A PU "
+                 "then takes a tile at a time.",
              .unit = "microseconds of one PU, predicted; any: all PUs are woken, whatever there is to do",
              .cost = "Small: waking takes longer than the work. Large: PUs stand by while others work."})) {
       set_swept_value(SweptValue::grain, microseconds, context.tuning);

@@ -81,10 +81,7 @@ std::string blocks(const SelectionReport& selected) {
          counted(static_cast<std::size_t>(selected.channels), "channel");
 }
 
-std::string pose_words(const SelectionReport& selected) {
-  const std::string agent = "agent " + with_thousands(selected.agent);
-  return agent + ", " + (selected.visible ? turn_of(selected) : "not posed");
-}
+std::string pose_words(const SelectionReport& selected) { return selected.visible ? turn_of(selected) : "not posed"; }
 
 float draw_words(const Theme& theme, const Area& card, const SelectionReport& selected) {
   ImVec2 at(card.from.x + theme.px(card_margin), card.from.y + theme.px(4));
@@ -139,7 +136,8 @@ void show_tracked_card(Widgets& widgets, const Area& place, const FrameReport& r
   const Card card(widgets, "Selected", place,
                   {.at = {place.from.x + theme.px(card_gap), place.from.y + theme.px(card_gap)},
                    .size = {width, std::min(wanted, Card::most_height(theme, place, width))},
-                   .title = title_of_tracked(*report.selected, report.tracks->clock.seconds)});
+                   .title = capitalised(name_of(*report.selected)) + "   " +
+                            state_of_tracked(*report.selected, report.tracks->clock.seconds)});
   if (card.was_closed()) requests.ask(Select{});
   if (!card.is_unfolded()) return;
   const Area content = card.content();
@@ -179,7 +177,7 @@ void show_selection_card(Widgets& widgets, const Area& place, const FrameReport&
   const Card card(widgets, "Selected", place,
                   {.at = {place.from.x + theme.px(card_gap), place.from.y + theme.px(card_gap)},
                    .size = {width, without_rows + static_cast<float>(rows) * theme.px(entity_height)},
-                   .title = "Agent " + with_thousands(selected.agent) + "   " + doing(selected)});
+                   .title = capitalised(name_of(selected)) + "   " + doing(selected)});
   if (card.was_closed()) requests.ask(Select{});
   if (!card.is_unfolded()) return;
   const Area content = card.content();

@@ -18,7 +18,7 @@ constexpr float plot_height = 132, axis_width = 44, stop_margin = 18;
 constexpr std::array<const char*, 4> units = {" PUs", " KiB", " a tile", " \xC2\xB5s"};
 
 std::string with_unit(SweptValue value, double number) {
-  return fixed(number, 0) + units.at(static_cast<std::size_t>(value));
+  return with_thousands(fixed(number, 0)) + units.at(static_cast<std::size_t>(value));
 }
 
 std::string as_milliseconds(double milliseconds) { return fixed(milliseconds, milliseconds < 10 ? 3 : 1) + " ms"; }
@@ -179,7 +179,7 @@ void show_sweep_button(const TabContext& context) {
                  {.what = "The crowd goes through the stops of that value, some frames at each, five rounds of all. "
                           "Then the value is as it was. Poses are the same throughout.",
                   .cost = "Some frames are slow meanwhile."},
-                 stands ? "time stands still, so nobody is posed" : nullptr)) {
+                 stands ? "time stands still, so no agent is posed" : nullptr)) {
     context.requests.ask(StartSweep{context.memory.swept});
   }
 }

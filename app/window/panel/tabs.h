@@ -18,6 +18,9 @@
 
 namespace throng::app {
 
+/// The cost of a value that decides who is in the crowd.
+inline constexpr const char* places_all_anew = "All agents get new places.";
+
 /// All that the list of bones remembers from frame to frame.
 struct BoneListMemory {
   struct Drag {

@@ -62,7 +62,7 @@ class ClockInHand {
 
 std::string count_of(std::size_t people) {
   if (people == 0) return "nobody";
-  return with_thousands(people) + (people == 1 ? " person" : " people");
+  return counted_people(people);
 }
 
 std::string state_words(const ClockInHand& clock, bool with_the_whole) {

@@ -21,7 +21,7 @@ std::string where_words(const SelectionReport& selected, double now) {
   const TrackedPerson& person = *selected.tracked;
   const Presence& presence = person.presence;
   const std::string there = "there from " + fixed(presence.first, 2) + " to " + seconds_text(presence.last) + ", " +
-                            with_thousands(person.rows) + (person.rows == 1 ? " row" : " rows");
+                            counted(person.rows, "row");
   const std::string tall = fixed(person.stature, 2) + " m tall";
   if (!presence.has(now)) return there + "   " + tall;
   return "x " + place_text(person.origin.x + static_cast<double>(selected.x)) + ", y " +
@@ -95,13 +95,12 @@ void show_speed_graph(Widgets& widgets, const Area& graph, const TimeAxis& axis,
 
 }  // namespace
 
-std::string title_of_tracked(const SelectionReport& selected, double seconds) {
+std::string state_of_tracked(const SelectionReport& selected, double seconds) {
   const TrackedPerson& person = *selected.tracked;
-  const std::string name = "Person " + person.id + "   ";
-  if (seconds < person.presence.first) return name + "comes at " + seconds_text(person.presence.first);
-  if (seconds > person.presence.last) return name + "left at " + seconds_text(person.presence.last);
+  if (seconds < person.presence.first) return "comes at " + seconds_text(person.presence.first);
+  if (seconds > person.presence.last) return "left at " + seconds_text(person.presence.last);
   const bool is_slow = selected.role == Role::stand && person.speed_at(seconds) > slow_steps;
-  return name + (is_slow ? "slow walk" : role_names.at(index_of(selected.role)));
+  return is_slow ? "slow walk" : role_names.at(index_of(selected.role));
 }
 
 void show_tracked_person(Widgets& widgets, const Area& place, const FrameReport& report, Requests& requests) {

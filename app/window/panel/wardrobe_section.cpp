@@ -1,6 +1,5 @@
 // Draws the section Wardrobe of the tab Crowd.
 #include <algorithm>
-#include <cctype>
 
 #include "app/settings/preset.h"
 #include "app/window/panel/controls/numbers.h"
@@ -10,7 +9,7 @@ namespace throng::app {
 namespace {
 
 constexpr double most_on_track = 100, most_things_on_track = 10;
-constexpr const char* cost_of_dressing = "Everybody dresses, and all agents are placed anew.";
+constexpr const char* cost_of_dressing = "All people change their clothes and get new places.";
 
 // Dressing takes time, so a value that is dragged counts once it is let go.
 void dress_when_let_go(const TabContext& context) {
@@ -24,11 +23,6 @@ void dress_when_let_go(const TabContext& context) {
 float standard_of(const WeighedNames& standard, const WeighedName& name) {
   const auto found = std::ranges::find(standard, name.name, &WeighedName::name);
   return found == standard.end() ? name.weight : found->weight;
-}
-
-std::string capitalised(std::string word) {
-  if (!word.empty()) word.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(word.front())));
-  return word;
 }
 
 void show_weights(const TabContext& context, const std::string& before, const char* what, const WeighedNames& standard,
@@ -48,7 +42,7 @@ void show_things(const TabContext& context, CastTuning& tuning) {
   context.widgets.number(
       "Things in hands", tuning.things, context.report.wardrobe.standard.things, scale,
       {.what = "How much more often people hold a bag, a phone or an umbrella than their "
-               "styles say. 0: who takes pictures alone. Whoever holds a thing uses it now and then.",
+               "styles say. 0: only people who take pictures. A person who holds a thing uses it now and then.",
        .cost = cost_of_dressing});
 }
 
@@ -62,7 +56,7 @@ void show_styles(const TabContext& context, CastTuning& tuning) {
 
 void show_rule_buttons(const TabContext& context, CastTuning& tuning) {
   ButtonRow buttons(context.widgets, 3);
-  if (buttons.button("Dress anew", {.what = "Everybody draws other clothes by the same rules, from another seed.",
+  if (buttons.button("Dress anew", {.what = "All people get other clothes by the same rules, from another seed.",
                                     .cost = cost_of_dressing})) {
     ++tuning.seed;
   }
@@ -90,16 +84,15 @@ void show_rule_files(const TabContext& context) {
               is_named ? nullptr : "a name has letters, digits, - and _");
   const bool has_file = is_named || (name.empty() && !report.wardrobe.file.empty());
   buttons.ask(requests, LoadRules{name}, "Load rules",
-              {.what = "Reads NAME.cast.json; without a name, the file of the rules once more, as somebody "
-                       "has edited it.",
+              {.what = "Reads NAME.cast.json; without a name, the file of the rules once more, with what was "
+                       "edited in it.",
                .cost = cost_of_dressing},
               has_file ? nullptr : "the rules come from no file; give a name");
 }
 
 std::string origin_of_rules(const WardrobeReport& report) {
   if (report.file.empty()) return "Rules of no file.";
-  const std::string name = report.file.substr(report.file.find_last_of('/') + 1);
-  return "Rules of " + name + (report.tuning == report.standard ? "." : ", changed.");
+  return "Rules of " + file_name(report.file) + (report.tuning == report.standard ? "." : ", changed.");
 }
 
 }  // namespace
@@ -108,13 +101,13 @@ void show_wardrobe(const TabContext& context) {
   Widgets& widgets = context.widgets;
   const FrameReport& report = context.report;
   TabMemory& memory = context.memory;
-  widgets.section("Wardrobe");
+  if (!widgets.folding_section("Wardrobe")) return;
   context.row("wardrobe",
               {.what = "People wear what rules draw for them out of the parts of their character: women, men and "
                        "children, each in an outfit. Off: all wear what the file shows.",
-               .cost = "Changing it places all agents anew."});
+               .cost = places_all_anew});
   context.row("weather", {.what = "What people dress for, and hold in their hands. Rules say which clothes are for it.",
-                          .cost = "Changing it places all agents anew."});
+                          .cost = places_all_anew});
   if (report.wardrobe.tuning.bodies.empty()) return;
   context.unless_idle("weather", [&] {
     const bool is_dragged = memory.rules && memory.rules->character == report.character;
@@ -127,9 +120,8 @@ void show_wardrobe(const TabContext& context) {
     if (cast != before) memory.rules = TuneRules{report.character, cast};
     show_rule_files(context);
   });
-  widgets.caption(with_thousands(static_cast<std::uint64_t>(report.wardrobe.holding)) + " of " +
-                  with_thousands(static_cast<std::uint64_t>(report.agents)) + " hold something. " +
-                  origin_of_rules(report.wardrobe));
+  widgets.caption(with_thousands(report.wardrobe.holding) + " of " + with_thousands(report.agents) +
+                  " hold something. " + origin_of_rules(report.wardrobe));
   dress_when_let_go(context);
 }
 

@@ -8,8 +8,7 @@
 namespace throng::app {
 namespace {
 
-constexpr float most_of_the_crowd = 0.2F;  // of the crowd's area
-constexpr float least_card_height = 70;    // a window so small that a fifth of it shows nothing keeps one line
+constexpr float least_card_height = 70;  // a window so small that a fifth of it shows nothing keeps one line
 
 float title_bar_height(const Theme& theme) { return font_height(theme.strong) + 2 * ImGui::GetStyle().FramePadding.y; }
 
@@ -40,7 +39,7 @@ bool record_card(Widgets& widgets, const std::string& name, const ImGuiWindow& w
 Card::Card(Widgets& widgets, const char* name, const Area& crowd, const Layout& layout) {
   const Theme& theme = widgets.theme();
   const float width = std::min(layout.size.x, crowd.width() - theme.px(24));
-  const float height = std::min(layout.size.y, most_height(theme, crowd, width));
+  const float height = std::min(layout.size.y, most_height(theme, crowd, width, layout.most));
   const ImVec2 size(width, height + title_bar_height(theme));
   ImGui::SetNextWindowPos(inside_of(crowd, layout.at, size), ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowSize(size);
@@ -67,8 +66,9 @@ Card::Card(Widgets& widgets, const char* name, const Area& crowd, const Layout& 
 
 Card::~Card() { ImGui::End(); }
 
-float Card::most_height(const Theme& theme, const Area& crowd, float width) {
-  const float with_title = std::floor(most_of_the_crowd * crowd.width() * crowd.height() / std::max(width, 1.0F));
+float Card::most_height(const Theme& theme, const Area& crowd, float width, float most) {
+  const float by_area = std::floor(most * crowd.width() * crowd.height() / std::max(width, 1.0F));
+  const float with_title = std::min(by_area, crowd.height());
   return std::max(with_title - title_bar_height(theme), theme.px(least_card_height));
 }
 

@@ -27,6 +27,7 @@ std::string without_spaces(std::string text) {
 
 // "12,345" is written with thousands; in "3,5" the comma is the point of a person who writes it so.
 bool has_thousands(std::string_view text) {
+  if (text.starts_with('-')) text.remove_prefix(1);
   const std::size_t first = text.find(',');
   if (first == 0 || first > 3) return false;
   for (std::size_t comma = first; comma < text.size() && text[comma] == ','; comma += 4) {
@@ -51,12 +52,6 @@ std::string with_point(const std::string& text) {
 }
 
 }  // namespace
-
-std::string with_thousands(std::uint64_t value) {
-  std::string text = std::to_string(value);
-  for (std::size_t end = text.size(); end > 3; end -= 3) text.insert(end - 3, 1, ',');
-  return text;
-}
 
 std::string as_percent(float share) { return fixed(100 * static_cast<double>(share), 0) + " %"; }
 
@@ -113,7 +108,7 @@ double stepped(const NumberScale& scale, double value, int steps) {
 
 std::string written(const NumberScale& scale, double value) {
   if (value == 0 && scale.zero_word != nullptr) return scale.zero_word;
-  return fixed(value, scale.decimals) + scale.suffix;
+  return with_thousands(fixed(value, scale.decimals)) + scale.suffix;
 }
 
 std::optional<double> meant(const NumberScale& scale, const std::string& text) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,8 +9,7 @@
 
 namespace throng::app {
 
-std::string with_thousands(std::uint64_t value);  ///< 12,345
-std::string as_percent(float share);              ///< "25 %", of a share of 0 to 1
+std::string as_percent(float share);  ///< "25 %", of a share of 0 to 1
 
 /// The numbers that a row accepts, and how it writes them.
 struct NumberScale {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/window/panel/controls/text_lines.h"
+
 namespace throng::app {
 namespace {
 
@@ -57,13 +59,23 @@ void draw_line(const Area& area, std::span<const float> values, float highest, s
   draw_list().PopClipRect();
 }
 
-void draw_limit(const Theme& theme, const Area& area, float value, float highest, const std::string& words) {
+void draw_beside(const Theme& theme, const Area& plot, std::span<const SideLabel> labels) {
+  const float line = font_height(theme.small);
+  std::vector<float> wanted;
+  for (const SideLabel& label : labels) wanted.push_back(plot.to.y - label.share * plot.height() - line / 2);
+  const std::vector<float> tops = apart(wanted, line, plot.from.y - line / 2, plot.to.y + line / 2);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    draw_text(theme.small, {plot.to.x + theme.px(6), tops[i]}, labels[i].ink, labels[i].words);
+  }
+}
+
+SideLabel draw_limit(const Theme& theme, const Area& area, float value, float highest, const std::string& words) {
   const float y = std::floor(y_of(area, value, highest)) + 0.5F;
   const float dash = theme.px(4);
   for (float x = area.from.x; x < area.to.x; x += 2 * dash) {
     draw_list().AddLine({x, y}, {std::min(x + dash, area.to.x), y}, colour::with_alpha(colour::changed, 0.6F));
   }
-  draw_text(theme.small, {area.to.x + theme.px(6), y - font_height(theme.small) / 2}, colour::changed, words);
+  return {.share = std::clamp(value / highest, 0.0F, 1.0F), .ink = colour::changed, .words = words};
 }
 
 void draw_bars(const Theme& theme, const Area& area, const Bars& bars) {
@@ -81,7 +93,7 @@ void draw_bars(const Theme& theme, const Area& area, const Bars& bars) {
     draw_list().AddRectFilled({middle - width / 2, std::min(top, plot.to.y - (count > 0 ? theme.px(1) : 0))},
                               {middle + width / 2, plot.to.y}, ImGui::GetColorU32(bars.colour_of(i)), theme.px(2),
                               ImDrawFlags_RoundCornersTop);
-    if (count > 0) draw_text(theme.small, {middle, top - line}, colour::dim, std::to_string(count), 0.5F);
+    if (count > 0) draw_text(theme.small, {middle, top - line}, colour::dim, with_thousands(count), 0.5F);
     draw_text(theme.small, {middle, plot.to.y + theme.px(2)}, colour::faint, bars.name_of(i), 0.5F);
   }
 }

@@ -18,8 +18,18 @@ inline constexpr std::size_t frames_shown = 240;
 void draw_line(const Area& area, std::span<const float> values, float highest, std::size_t capacity, ImU32 colour,
                float thickness);
 
-/// Draws a level line across the area with its words beside its right end.
-void draw_limit(const Theme& theme, const Area& area, float value, float highest, const std::string& words);
+/// Words beside the right edge of a plot.
+struct SideLabel {
+  float share = 0;  ///< of the plot's height, from the bottom, where their middle is wanted
+  ImU32 ink = 0;
+  std::string words;
+};
+
+/// Draws such labels, none over another.
+void draw_beside(const Theme& theme, const Area& plot, std::span<const SideLabel> labels);
+
+/// Draws a level line across the area, and returns the label that says what it is.
+SideLabel draw_limit(const Theme& theme, const Area& area, float value, float highest, const std::string& words);
 
 /// Bars side by side. The count stands above each, `name_of(i)` below, inside the area.
 struct Bars {

@@ -11,7 +11,7 @@
 namespace throng::app {
 namespace {
 
-constexpr float field_width = 64, field_gap = 8, longest_list = 300;
+constexpr float least_field_width = 64, field_gap = 8, longest_list = 300;
 constexpr float least_margins = 8;  // of a word in a line of them
 
 void draw_track(const Theme& theme, const Area& place, float knob_place, bool lively) {
@@ -32,9 +32,8 @@ void draw_closed(const Theme& theme, const Area& place, const std::string& word,
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRectFilled(place.from, place.to, ImGui::GetColorU32(lively ? colour::well_hovered : colour::well),
                      theme.px(4));
-  ImGui::PushClipRect(place.from, {place.to.x - theme.px(18), place.to.y}, true);
-  draw_text(theme.small, {place.from.x + theme.px(8), place.from.y + theme.px(4)}, colour::text, word);
-  ImGui::PopClipRect();
+  draw_text(theme.small, {place.from.x + theme.px(8), place.from.y + theme.px(4)}, colour::text,
+            fitted(theme.small, place.width() - theme.px(8 + 18), word));
   const ImVec2 tip(place.to.x - theme.px(10), place.from.y + theme.px(13));
   draw.AddTriangleFilled({tip.x - theme.px(4), tip.y - theme.px(4)}, {tip.x + theme.px(4), tip.y - theme.px(4)}, tip,
                          colour::dim);
@@ -46,6 +45,16 @@ int walked(int place, int first, int last) {
   if (ImGui::IsKeyPressed(ImGuiKey_Home)) place = first;
   if (ImGui::IsKeyPressed(ImGuiKey_End)) place = last;
   return std::clamp(place, first, std::max(first, last));
+}
+
+// A field has room for every number of its track, and for one beyond it that was typed.
+float field_width(const Theme& theme, const NumberScale& scale, double value) {
+  float width = theme.px(least_field_width);
+  for (const double number : {scale.lowest, scale.highest, value}) {
+    const float margins = 2 * ImGui::GetStyle().FramePadding.x + theme.px(1);
+    width = std::max(width, text_width(theme.regular, written(scale, number)) + margins);
+  }
+  return std::ceil(width);
 }
 
 // Shares the rest of a width evenly, so that long words have as much room around them as short ones.
@@ -69,7 +78,7 @@ bool Widgets::number(const char* label, double& value, double standard, const Nu
   if (is_left_out(label, help)) return false;
   const std::string standard_text = written(scale, standard);
   Row row = begin_row(label, written(scale, value) != standard_text, help, standard_text);
-  const float field_x = row.control.to.x - theme_.px(field_width);
+  const float field_x = row.control.to.x - std::min(field_width(theme_, scale, value), 0.6F * row.control.width());
   const Area track{.from = row.control.from, .to = {field_x - theme_.px(field_gap), row.control.to.y}};
   const Area field{.from = {field_x, row.control.from.y + theme_.px(1)}, .to = row.control.to};
   bool changed = drag_track(label, track, value, standard, scale);

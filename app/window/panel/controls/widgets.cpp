@@ -10,7 +10,8 @@
 namespace throng::app {
 namespace {
 
-constexpr float row_height = 25, label_width = 122, reset_width = 20, tooltip_width = 290;
+constexpr float row_height = 25, label_width = 122, label_gap = 8, reset_width = 20, tooltip_width = 290;
+constexpr float most_of_a_fact = 0.6F;  // of its width, that its name takes
 constexpr float seconds_until_help = 0.5F;
 
 bool resting_on(const Area& place) {
@@ -24,12 +25,12 @@ bool invisible_button(const char* name, ImVec2 size) {
   return ImGui::InvisibleButton(name, {std::max(size.x, 1.0F), std::max(size.y, 1.0F)});
 }
 
-/// Writes a paragraph; none where the text is empty.
-void write_paragraph(ImFont* font, ImU32 ink, const std::string& text) {
+/// Writes a paragraph in lines of at most that width; none where the text is empty.
+void write_paragraph(ImFont* font, ImU32 ink, float width, const std::string& text) {
   if (text.empty()) return;
   imgui::push_font(font);
   ImGui::PushStyleColor(ImGuiCol_Text, ink);
-  ImGui::TextUnformatted(text.c_str());
+  ImGui::TextUnformatted(wrapped(font, width, text).c_str());
   ImGui::PopStyleColor();
   ImGui::PopFont();
 }
@@ -40,30 +41,11 @@ Area rectangle(ImVec2 from, ImVec2 to) {
   return {.from = from, .to = to, .hovered = ImGui::IsMouseHoveringRect(from, to)};
 }
 
-float text_width(ImFont* font, const std::string& text) {
-  return font->CalcTextSizeA(font_height(font), FLT_MAX, 0, text.c_str()).x;
-}
-
-float wrapped_height(ImFont* font, float width, const std::string& text) {
-  return font->CalcTextSizeA(font_height(font), FLT_MAX, width, text.c_str()).y;
-}
-
-void draw_wrapped(ImFont* font, ImVec2 at, ImU32 colour, float width, const std::string& text) {
-  ImGui::GetWindowDrawList()->AddText(font, font_height(font), at, colour, text.c_str(), nullptr, width);
-}
-
-void draw_text(ImFont* font, ImVec2 at, ImU32 colour, const std::string& text, float align) {
-  const float width = align == 0 ? 0 : text_width(font, text);
-  const ImVec2 place(std::floor(at.x - align * width), std::floor(at.y));
-  ImGui::GetWindowDrawList()->AddText(font, font_height(font), place, ImGui::GetColorU32(colour), text.c_str());
-}
-
-void show_lines(std::initializer_list<std::string> lines) {
-  ImGui::BeginTooltip();
-  for (const std::string& line : lines) {
-    if (!line.empty()) ImGui::TextUnformatted(line.c_str());
-  }
-  ImGui::EndTooltip();
+void draw_fold_sign(const Theme& theme, ImVec2 middle, bool is_folded, ImU32 ink) {
+  const float arm = theme.px(4), way = is_folded ? -1.0F : 1.0F;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddLine({middle.x - arm, middle.y - way * arm / 2}, {middle.x, middle.y + way * arm / 2}, ink, theme.px(1.5F));
+  draw.AddLine({middle.x, middle.y + way * arm / 2}, {middle.x + arm, middle.y - way * arm / 2}, ink, theme.px(1.5F));
 }
 
 ButtonRow::ButtonRow(Widgets& widgets, int count)
@@ -158,19 +140,43 @@ void Widgets::end_idle() {
 void Widgets::section(const char* title) {
   if (is_searching()) return search_->begin_section(title);
   ImGui::Dummy({0, theme_.px(4)});
-  if (!wanted_section_.empty() && wanted_section_ == title) {
-    ImGui::SetScrollHereY(0);
-    wanted_section_.clear();
-    focus_.go_to_next_row();
-  }
+  go_to_wanted_section(title);
   draw_title(title, 0);
+}
+
+bool Widgets::folding_section(const char* title) {
+  if (is_searching()) return search_->begin_section(title), true;
+  ImGui::Dummy({0, theme_.px(4)});
+  go_to_wanted_section(title);
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const Area line =
+      rectangle(from, {from.x + ImGui::GetContentRegionAvail().x, from.y + font_height(theme_.strong) + theme_.px(1)});
+  const bool was_folded = folded_.contains(title);
+  const bool clicked = clickable(std::string("section:") + title, line);
+  const ImU32 ink = ImGui::IsItemHovered() ? colour::text : colour::dim;
+  if (clicked && was_folded) folded_.erase(title);
+  if (clicked && !was_folded) folded_.insert(title);
+  const bool is_folded = was_folded != clicked;
+  draw_fold_sign(theme_, {line.to.x - theme_.px(6), (line.from.y + line.to.y) / 2}, is_folded, ink);
+  ImGui::SetCursorScreenPos(from);
+  draw_title(title, theme_.px(16));
+  return !is_folded;
+}
+
+void Widgets::go_to_wanted_section(const char* title) {
+  if (wanted_section_.empty() || wanted_section_ != title) return;
+  ImGui::SetScrollHereY(0);
+  wanted_section_.clear();
+  folded_.erase(title);
+  focus_.go_to_next_row();
 }
 
 void Widgets::draw_title(const std::string& title, float free_at_the_right) const {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  draw_text(theme_.strong, at, colour::text, title);
-  const float left = at.x + text_width(theme_.strong, title) + theme_.px(10);
   const float right = at.x + ImGui::GetContentRegionAvail().x - free_at_the_right;
+  const std::string words = fitted(theme_.strong, right - at.x, title);
+  draw_text(theme_.strong, at, colour::text, words);
+  const float left = at.x + text_width(theme_.strong, words) + theme_.px(10);
   const float y = std::floor(at.y + font_height(theme_.strong) * 0.55F);
   ImGui::GetWindowDrawList()->AddLine({left, y}, {right, y}, colour::grid);
   ImGui::Dummy({0, font_height(theme_.strong) + theme_.px(1)});
@@ -201,9 +207,7 @@ void Widgets::show_found_place(const RowSearch::Place& place) {
 
 void Widgets::caption(const std::string& text) const {
   if (is_searching()) return;
-  ImGui::PushTextWrapPos(0);
-  write_paragraph(theme_.small, colour::dim, text);
-  ImGui::PopTextWrapPos();
+  write_paragraph(theme_.small, colour::dim, ImGui::GetContentRegionAvail().x, text);
 }
 
 void Widgets::tooltip(const char* title, const Help& help, const std::string& standard) const {
@@ -216,15 +220,14 @@ void Widgets::tooltip_at(float y, const char* title, const Help& help, const std
   ImGui::SetNextWindowPos({x, y}, ImGuiCond_Always, {1, y / ImGui::GetIO().DisplaySize.y});
   ImGui::BeginTooltip();
   const float margins = 2 * ImGui::GetStyle().WindowPadding.x;
-  ImGui::PushTextWrapPos(std::clamp(x - margins, 1.0F, theme_.px(tooltip_width)));
+  const float width = std::clamp(x - margins, 1.0F, theme_.px(tooltip_width));
   std::string measure = help.unit;
   if (!standard.empty()) measure += (measure.empty() ? "default " : ", default ") + standard;
-  write_paragraph(theme_.strong, colour::text, title);
-  if (idle_) write_paragraph(theme_.regular, colour::changed, "No effect: " + *idle_ + ".");
-  write_paragraph(theme_.regular, colour::text, help.what);
-  write_paragraph(theme_.small, colour::dim, measure);
-  write_paragraph(theme_.small, colour::changed, help.cost);
-  ImGui::PopTextWrapPos();
+  write_paragraph(theme_.strong, colour::text, width, title);
+  if (idle_) write_paragraph(theme_.regular, colour::changed, width, "No effect: " + *idle_ + ".");
+  write_paragraph(theme_.regular, colour::text, width, help.what);
+  write_paragraph(theme_.small, colour::dim, width, measure);
+  write_paragraph(theme_.small, colour::changed, width, help.cost);
   ImGui::EndTooltip();
 }
 
@@ -235,7 +238,7 @@ void Widgets::steady_caption(const std::string& text) const {
   const float width = ImGui::GetContentRegionAvail().x;
   draw_wrapped(theme_.small, at, colour::dim, width, text);
   const float kept_free = lines * font_height(theme_.small);
-  ImGui::Dummy({width, std::max(kept_free, wrapped_height(theme_.small, width, text))});
+  ImGui::Dummy({width, std::max(kept_free, wrapped_size(theme_.small, width, text).y)});
 }
 
 Widgets::Row Widgets::begin_row(const char* label, bool changed, const Help& help, const std::string& standard) {
@@ -259,7 +262,8 @@ Widgets::Row Widgets::begin_row(const char* label, bool changed, const Help& hel
                                               colour::changed, theme_.px(1));
   }
   const ImU32 ink = words.hovered || changed ? colour::text : colour::dim;
-  draw_text(theme_.regular, {from.x, from.y + theme_.px(4)}, ink, label);
+  draw_text(theme_.regular, {from.x, from.y + theme_.px(4)}, ink,
+            fitted(theme_.regular, words.width() - theme_.px(label_gap), label));
   return row;
 }
 
@@ -304,7 +308,8 @@ bool Widgets::named_button(const char* words, const std::string& name, const Hel
   if (idle_) map_.idle.emplace_back(name, *idle_);
   const ImU32 fill = held ? colour::accent_soft : (hovered ? colour::well_hovered : colour::well);
   ImGui::GetWindowDrawList()->AddRectFilled(place.from, place.to, ImGui::GetColorU32(fill), theme_.px(4));
-  draw_text(theme_.regular, {(place.from.x + place.to.x) / 2, from.y + theme_.px(5)}, colour::text, words, 0.5F);
+  draw_text(theme_.regular, {(place.from.x + place.to.x) / 2, from.y + theme_.px(5)}, colour::text,
+            fitted(theme_.regular, width - theme_.px(label_gap), words), 0.5F);
   if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && resting_on(place)) tooltip(words, help, "");
   return clicked;
 }
@@ -314,9 +319,16 @@ void Widgets::fact(const char* label, const std::string& value, const Help& help
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const Area place = rectangle(from, {from.x + ImGui::GetContentRegionAvail().x, from.y + theme_.px(19)});
   hoverable(label, place);
-  if (ImGui::IsItemHovered() && resting_on(place) && *help.what != '\0') tooltip(label, help, "");
-  draw_text(theme_.regular, from, colour::dim, label);
-  draw_text(theme_.regular, {place.to.x - theme_.px(reset_width), from.y}, colour::text, value, 1);
+  const float right = place.to.x - theme_.px(reset_width), room = right - from.x;
+  const std::string name = fitted(theme_.regular, most_of_a_fact * room, label);
+  const float left = text_width(theme_.regular, name) + theme_.px(label_gap);
+  const std::string shown = fitted(theme_.regular, room - left, value);
+  const bool says_more = *help.what != '\0' || shown != value;
+  if (ImGui::IsItemHovered() && resting_on(place) && says_more) {
+    tooltip(shown == value ? label : (std::string(label) + ": " + value).c_str(), help, "");
+  }
+  draw_text(theme_.regular, from, colour::dim, name);
+  draw_text(theme_.regular, {right, from.y}, colour::text, shown, 1);
 }
 
 }  // namespace throng::app

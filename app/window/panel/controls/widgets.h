@@ -1,9 +1,9 @@
 #pragma once
 
 #include <array>
-#include <initializer_list>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +14,7 @@
 #include "app/window/panel/controls/row_search.h"
 #include "app/window/panel/controls/theme.h"
 #include "app/window/panel/controls/ui_map.h"
+#include "app/window/panel/controls/words.h"
 
 namespace throng::app {
 
@@ -53,6 +54,9 @@ class Widgets {
   void scroll_to_section(const std::string& title) { wanted_section_ = title; }
 
   void section(const char* title);
+  /// Shows a title that a click folds. Returns whether the rows below it are to be shown. It stays folded until a click
+  /// or a search leads to it.
+  bool folding_section(const char* title);
   bool number(const char* label, double& value, double standard, const NumberScale& scale, const Help& help);
   bool number(const char* label, float& value, float standard, const NumberScale& scale, const Help& help);
   bool toggle(const char* label, bool& value, bool standard, const Help& help);
@@ -136,6 +140,7 @@ class Widgets {
 
   const Theme& theme_;
   UiMap& map_;
+  void go_to_wanted_section(const char* title);
   RowSearch* search_ = nullptr;  ///< null: all is shown
   PanelFocus focus_;
   int list_place_ = -1;                 ///< the word of the open list that keys have come to
@@ -153,6 +158,7 @@ class ButtonRow {
   /// Shows the next button to the right. `idle` is why it does nothing now; null: it does something. Returns whether it
   /// was pressed.
   bool button(const char* label, const Help& help, const char* idle = nullptr);
+  std::set<std::string> folded_;        ///< the titles of sections that the person has folded
   /// Shows such a button, which asks for something when it is pressed.
   void ask(auto& requests, auto asked, const char* label, const Help& help, const char* idle = nullptr) {
     if (button(label, help, idle)) requests.ask(std::move(asked));
@@ -174,14 +180,7 @@ bool wide_button(Widgets& widgets, const char* label, const Help& help, const ch
 /// Returns a rectangle that knows whether the pointer is over it.
 Area rectangle(ImVec2 from, ImVec2 to);
 
-float text_width(ImFont* font, const std::string& text);
-/// Draws text with its left, middle (0.5) or right edge (1) at `at`.
-void draw_text(ImFont* font, ImVec2 at, ImU32 colour, const std::string& text, float align = 0);
-/// Returns the height of text in lines of at most that width.
-float wrapped_height(ImFont* font, float width, const std::string& text);
-/// Draws such text with its upper left corner at `at`.
-void draw_wrapped(ImFont* font, ImVec2 at, ImU32 colour, float width, const std::string& text);
-/// Shows a tooltip at the pointer. Empty lines are left out.
-void show_lines(std::initializer_list<std::string> lines);
+/// Draws the sign beside a title that a click folds: it points down where the part below is shown, else up.
+void draw_fold_sign(const Theme& theme, ImVec2 middle, bool is_folded, ImU32 ink);
 
 }  // namespace throng::app

@@ -24,11 +24,13 @@ std::unique_ptr<anim::AnimationSystem> system_of(int bones, const anim::SystemOp
 }
 
 TEST(SoftwareNotice, NamesWhatIsSparedAndNothingElse) {
-  EXPECT_EQ(software_notice("llvmpipe", {.no_multisampling = true, .no_shadows = true, .error_px = 3}),
-            "Drawn on the processor (llvmpipe): no multisampling, no shadows, an error of 3 pixels unless asked "
-            "otherwise.");
+  EXPECT_EQ(
+      software_notice("llvmpipe", {.no_multisampling = true, .no_shadows = true, .error_px = 3}),
+      "No graphics card draws here; the processor does, by llvmpipe. To keep up it starts with no multisampling, no "
+      "shadows and errors of up to 3 pixels; --msaa, --shadows and --error-px change that.");
   EXPECT_EQ(software_notice("llvmpipe", {.agents = 300, .no_shadows = true}),
-            "Drawn on the processor (llvmpipe): 300 agents, no shadows unless asked otherwise.");
+            "No graphics card draws here; the processor does, by llvmpipe. To keep up it starts with 300 agents and no "
+            "shadows; --agents and --shadows change that.");
   EXPECT_EQ(software_notice("llvmpipe", {}), "");
 }
 
@@ -169,6 +171,13 @@ TEST(TracksNotice, SaysOfALiveCrowdThatRowsCome) {
   Trajectories live;
   live.file = "-", live.format = "table", live.is_live = true;
   EXPECT_EQ(tracks_notice(live), "-: table, rows as they come.");
+}
+
+TEST(TracksNotice, CountsOneOddThingAsOne) {
+  Trajectories tracks;
+  tracks.file = "walk.csv", tracks.format = "table", tracks.row_count = 12345;
+  tracks.report.found.emplace_back().count = 1;
+  EXPECT_EQ(tracks_notice(tracks), "walk.csv: table, 0 people, 12,345 rows. throng inspect lists 1 odd thing in it.");
 }
 
 TEST(Lines, AreOneASentence) {

@@ -33,6 +33,15 @@ TEST(NumberScale, WritesUnitsAndWords) {
   EXPECT_EQ(written(with_stops, 32), "32 KiB");
 }
 
+TEST(NumberScale, WritesThousandsApartAsAllTextsOfThePanelDo) {
+  EXPECT_EQ(written(logarithmic, 158'000), "158,000");
+  EXPECT_EQ(written({.lowest = -5000, .decimals = 1, .suffix = " m"}, -1234.5), "-1,234.5 m");
+  for (const double value : {-123'456.0, -4321.0, 999.0, 1'000'000.0}) {
+    const NumberScale scale{.lowest = -1e9, .highest = 1e9, .decimals = 2};
+    EXPECT_EQ(meant(scale, written(scale, value)), value);
+  }
+}
+
 TEST(NumberScale, ReadsWhatPeopleType) {
   EXPECT_EQ(meant(metres, "7"), 7);
   EXPECT_EQ(meant(metres, " 7.25m "), 7.3);
@@ -47,7 +56,7 @@ TEST(NumberScale, TakesAllThatAValueMayBeWhereTheTrackShowsAPartOfIt) {
   EXPECT_EQ(meant(seed, "4294967295"), 4'294'967'295.0);
   EXPECT_EQ(meant(seed, "4,294,967,295"), 4'294'967'295.0);
   EXPECT_EQ(meant(seed, "9999999999"), 4'294'967'295.0) << "the most that a seed can be";
-  EXPECT_EQ(written(seed, 4'294'967'295.0), "4294967295");
+  EXPECT_EQ(written(seed, 4'294'967'295.0), "4,294,967,295");
 }
 
 TEST(NumberScale, ReadsACommaAsThePointWhereItSeparatesNoThousands) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/window/panel/selected_name.h"
 #include "tests/app/window/panel/overlay_driver.h"
 
 namespace throng::app::tracked_person_test {
@@ -51,6 +52,15 @@ TEST(TrackedPersonOverTime, HasValuesBetweenThoseThatAreKept) {
   EXPECT_EQ(person->steps_until(10.9), 0U);
   EXPECT_EQ(person->steps_until(11.5), 2U);
   EXPECT_EQ(person->steps_until(40.0), 3U);
+}
+
+TEST_F(TrackedPersonCard, CallsThePersonByTheNameOfTheFileEverywhere) {
+  EXPECT_EQ(name_of(*person_.report.selected), "person 17");
+  person_.click("tab:Agent");
+  EXPECT_TRUE(person_.sees("View alone"));
+  person_.report.selected->tracked = nullptr;
+  person_.report.selected->agent = 1234;
+  EXPECT_EQ(name_of(*person_.report.selected), "agent 1,234");
 }
 
 TEST_F(TrackedPersonCard, GoesToTheTimeThatIsPressedInItsGraph) {

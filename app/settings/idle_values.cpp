@@ -239,7 +239,32 @@ constexpr std::array idle_rules = std::to_array<Rule>({
     {"pixels", of_what_is_drawn},
 });
 
+Reason of_scene_of_tracks(const Tuning&, const Situation& situation) {
+  return situation.has_tracks ? nullptr : "it shows a file of trajectories; drop one on the window";
+}
+
+Reason of_presence(const Tuning& tuning, const Situation&) {
+  return tuning.scene == Scene::tracks ? nullptr : "only people of a recorded crowd come and go";
+}
+
+struct WordRule {
+  std::string_view key, word;
+  Reason (*reason)(const Tuning& tuning, const Situation& situation);
+};
+
+constexpr std::array word_rules = std::to_array<WordRule>({
+    {"scene", "tracks", of_scene_of_tracks},
+    {"debug_view", "presence", of_presence},
+});
+
 }  // namespace
+
+const char* why_not_choose(std::string_view key, std::string_view word, const Tuning& tuning,
+                           const Situation& situation) {
+  const auto is_about = [&](const WordRule& rule) { return rule.key == key && rule.word == word; };
+  const auto* const found = std::ranges::find_if(word_rules, is_about);
+  return found == word_rules.end() ? nullptr : found->reason(tuning, situation);
+}
 
 std::optional<std::string> idle_reason(std::string_view key, const Tuning& tuning, const Situation& situation) {
   const auto* const found = std::ranges::find(idle_rules, key, &Rule::key);

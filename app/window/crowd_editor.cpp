@@ -89,10 +89,12 @@ bool CrowdEditor::make_all(const std::vector<CrowdRequest>& requests) {
 }
 
 void CrowdEditor::undo() {
+  if (history_.last() == nullptr) return reporter_.messages().say("There is nothing to take back.");
   if (history_.last() != nullptr && make_all(history_.last()->back)) history_.took_back();
 }
 
 void CrowdEditor::redo() {
+  if (history_.next() == nullptr) return reporter_.messages().say("There is nothing to make again.");
   if (history_.next() != nullptr && make_all(history_.next()->forth)) history_.made_again();
 }
 

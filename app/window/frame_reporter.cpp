@@ -86,7 +86,8 @@ Situation situation_of(const Stage& stage, int mesh_levels) {
                       .has_wardrobe = false,
                       .bone_levels = 1,
                       .mesh_levels = mesh_levels,
-                      .pus = stage.system().options().pus};
+                      .pus = stage.system().options().pus,
+                      .has_tracks = stage.trajectories() != nullptr};
   for (std::size_t i = 0; i < stage.people().size(); ++i) {
     const CharacterSource& person = stage.people()[i];
     situation.places_feet |= stage.animated().rigs(i).foot_placement().has_value();

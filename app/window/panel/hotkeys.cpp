@@ -66,10 +66,31 @@ void ask_the_viewer(Key key, ViewerSettings settings, Requests& requests) {
   requests.ask(SetViewer{settings});
 }
 
-bool types_slash(const InputFrame& input) { return input.characters.find(U'/') != std::u32string::npos; }
-
 // Some keyboards have them above a digit, whose key then means nothing else.
 bool types_sign(const InputFrame& input) { return input.characters.find_first_of(U"/[]") != std::u32string::npos; }
+
+// The words for a key that does nothing now; empty: it does something, or is none of ours.
+std::string why_nothing_happens(const InputFrame& input, Key key, const OpenThings& open) {
+  if (!open.selected && key == Key::p) return "P pushes the selected character over. Click at one first.";
+  if (!open.selected && key == Key::g) return "G follows the selected character. Click at one first.";
+  if (!open.has_moments && (key == Key::left || key == Key::right)) {
+    return "Left and Right go through a replay or a recorded crowd. W A S D fly.";
+  }
+  if (key == Key::up || key == Key::down) return "Up and Down go through the panel once F6 is pressed. W A S D fly.";
+  const std::size_t place = place_of_digit(key);
+  const bool goes_there = place < bookmark_count && !input.down(Key::control) && !types_sign(input);
+  if (!goes_there || open.kept.at(place)) return {};
+  const std::string digit = std::to_string(place + 1);
+  return "No place of the camera is kept under " + digit + ". Ctrl+" + digit + " keeps the present one.";
+}
+
+// The viewer has few keys, and a person may look for one of the crowd there.
+bool is_for_the_crowd(Key key) {
+  return key == Key::p || key == Key::g || key == Key::b || key == Key::c || key == Key::r || key == Key::x ||
+         key == Key::home || place_of_digit(key) < bookmark_count;
+}
+
+bool types_slash(const InputFrame& input) { return input.characters.find(U'/') != std::u32string::npos; }
 
 int tabs_further(const InputFrame& input, Key key) {
   if (!input.down(Key::control)) return 0;
@@ -100,7 +121,9 @@ void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitc
     if (key == Key::escape) close_the_topmost(open, switches, requests);
     if (open.viewer) {
       ask_the_viewer(key, *open.viewer, requests);
+      if (is_for_the_crowd(key)) requests.ask(Tell{"That key is about the crowd. Esc leaves the viewer."});
     } else {
+      if (std::string why = why_nothing_happens(input, key, open); !why.empty()) requests.ask(Tell{std::move(why)});
       ask_the_crowd(input, key, open, tuning, requests);
       if (!types_sign(input)) add_camera_key(input, key, open, requests);
     }

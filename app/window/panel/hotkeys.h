@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -28,6 +29,8 @@ struct OpenThings {
   std::optional<std::uint32_t> selected = {};  ///< the selected agent
   glm::vec3 ahead{0.0F};                       ///< where the camera looks
   std::optional<ViewerSettings> viewer = {};   ///< of the viewer that is open
+  bool has_moments = false;                    ///< a replay or a recorded crowd, whose moments arrows go through
+  std::array<bool, bookmark_count> kept = {};  ///< [bookmark]: the person keeps a place there
 };
 
 /// Carries out the keys pressed in this frame (README.md has the table). The caller leaves it out while a text

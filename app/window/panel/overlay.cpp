@@ -118,7 +118,12 @@ Requests Overlay::build(const FrameReport& report, const Tuning& before) {
     const auto viewer = report.viewer ? std::optional(report.viewer->settings) : std::nullopt;
     const auto selected = report.selected ? std::optional(report.selected->agent) : std::nullopt;
     apply_hotkeys(state.input,
-                  {.list = list_is_open, .selected = selected, .ahead = ahead_of(report.camera), .viewer = viewer},
+                  {.list = list_is_open,
+                   .selected = selected,
+                   .ahead = ahead_of(report.camera),
+                   .viewer = viewer,
+                   .has_moments = report.replay || report.tracks,
+                   .kept = report.cameras.kept},
                   state.switches, tuning, requests);
     if (report.replay) apply_replay_keys(state.input, requests);
     if (report.tracks && !viewer) apply_track_keys(state.input, *report.tracks, tuning, requests);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include "app/window/panel/tabs.h"
 
@@ -26,7 +27,11 @@ bool TabContext::edit(const TuningValue& row, const NumberScale& scale, const He
       return static_cast<int>(std::ranges::find(row.words, word) - row.words.begin());
     };
     int index = index_of(now);
-    if (!widgets.choose(label, index, index_of(before), row.words, help)) return false;
+    std::vector<const char*> why_not;
+    for (const char* const word : row.words) {
+      why_not.push_back(why_not_choose(row.key, word, tuning, report.situation));
+    }
+    if (!widgets.choose(label, index, index_of(before), row.words, help, why_not)) return false;
     text = row.words[static_cast<std::size_t>(index)];
   } else {
     double number = std::strtod(now.c_str(), nullptr);

@@ -161,49 +161,75 @@ bool Widgets::toggle(const char* label, bool& value, bool standard, const Help& 
   return value != before;
 }
 
-bool Widgets::choose(const char* label, int& index, int standard, std::span<const char* const> words,
-                     const Help& help) {
+bool Widgets::choose(const char* label, int& index, int standard, std::span<const char* const> words, const Help& help,
+                     std::span<const char* const> why_not) {
   if (is_left_out(label, help)) return false;
-  const int before = index;
+  const int before = index, last = static_cast<int>(words.size()) - 1;
+  const Words all{words, why_not};
   const std::string standard_word = words[static_cast<std::size_t>(standard)];
   Row row = begin_row(label, index != standard, help, standard_word);
   const bool is_wide = margins_of_words(theme_, row.control.width(), words) < theme_.px(least_margins);
-  const std::size_t first_line = is_wide ? (words.size() + 1) / 2 : words.size();
+  const int last_in_line = is_wide ? last / 2 : last;
   Area line{.from = {row.control.from.x, row.control.from.y + theme_.px(1)},
             .to = {row.control.to.x, row.control.to.y - theme_.px(2)}};
-  choose_in_line(label, line, words.first(first_line), 0, index);
+  choose_in_line(label, line, all, 0, last_in_line, index);
   if (is_wide) {
     const float down = line.to.y - line.from.y + theme_.px(2);
     line.from.y += down, line.to.y += down, row.control.to.y += down, row.all.to.y += down;
-    choose_in_line(label, line, words.subspan(first_line), static_cast<int>(first_line), index);
+    choose_in_line(label, line, all, last_in_line + 1, last, index);
   }
   if (focus_.has_keys()) {
-    const auto last = static_cast<int>(words.size()) - 1;
     stop_at(row, std::string(label) + ":" + words[static_cast<std::size_t>(before)]);
-    if (const int step = focus_.take_step()) index = std::clamp(index + step, 0, last);
-    if (focus_.take_activation()) index = index == last ? 0 : index + 1;
+    if (const int step = focus_.take_step()) index = all.next(index, step, false);
+    if (focus_.take_activation()) index = all.next(index, 1, true);
   }
   if (end_row(row)) index = standard;
   return index != before;
 }
 
-void Widgets::choose_in_line(const char* label, const Area& line, std::span<const char* const> words, int first,
-                             int& index) {
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddRectFilled(line.from, line.to, ImGui::GetColorU32(colour::well), theme_.px(4));
-  const float margins = margins_of_words(theme_, line.width(), words);
-  float x = line.from.x;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const float next = x + text_width(theme_.small, words[i]) + margins;
-    const Area place = rectangle({std::floor(x), line.from.y}, {std::floor(next), line.to.y});
-    x = next;
-    const int here = first + static_cast<int>(i);
-    if (pressable(std::string(label) + ":" + words[i], place)) index = here;
-    const bool hovered = ImGui::IsItemHovered();
-    if (here == index) draw.AddRectFilled(place.from, place.to, ImGui::GetColorU32(colour::accent), theme_.px(4));
-    const ImU32 ink = here == index ? colour::on_accent : (hovered ? colour::text : colour::dim);
-    draw_text(theme_.small, {(place.from.x + place.to.x) / 2, line.from.y + theme_.px(4)}, ink, words[i], 0.5F);
+int Widgets::Words::next(int index, int steps, bool goes_round) const {
+  const auto count = static_cast<int>(all.size());
+  int found = index;
+  for (int place = index; steps != 0;) {
+    place += steps > 0 ? 1 : -1;
+    if (goes_round) place = (place + count) % count;
+    if (place < 0 || place >= count || place == index) return found;
+    if (reason(place) != nullptr) continue;
+    found = place;
+    steps -= steps > 0 ? 1 : -1;
   }
+  return found;
+}
+
+void Widgets::choose_in_line(const char* label, const Area& line, const Words& words, int first, int last, int& index) {
+  ImGui::GetWindowDrawList()->AddRectFilled(line.from, line.to, ImGui::GetColorU32(colour::well), theme_.px(4));
+  const auto here = words.all.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first + 1));
+  const float margins = margins_of_words(theme_, line.width(), here);
+  float x = line.from.x;
+  for (int word = first; word <= last; ++word) {
+    const float next = x + text_width(theme_.small, words.all[static_cast<std::size_t>(word)]) + margins;
+    show_word(label, rectangle({std::floor(x), line.from.y}, {std::floor(next), line.to.y}), words, word, index);
+    x = next;
+  }
+}
+
+void Widgets::show_word(const char* label, const Area& place, const Words& words, int word, int& index) {
+  const char* const text = words.all[static_cast<std::size_t>(word)];
+  const char* const why_not = words.reason(word);
+  const std::string name = std::string(label) + ":" + text;
+  if (why_not != nullptr) {
+    hoverable(name, place);
+    map_.idle.emplace_back(name, why_not);
+    if (ImGui::IsItemHovered()) show_lines({capitalised(text) + " cannot be chosen: " + why_not + "."});
+  } else if (pressable(name, place)) {
+    index = word;
+  }
+  const bool hovered = ImGui::IsItemHovered() && why_not == nullptr;
+  if (word == index)
+    ImGui::GetWindowDrawList()->AddRectFilled(place.from, place.to, ImGui::GetColorU32(colour::accent), theme_.px(4));
+  const ImU32 free_ink = hovered ? colour::text : colour::dim;
+  const ImU32 ink = word == index ? colour::on_accent : (why_not != nullptr ? colour::faint : free_ink);
+  draw_text(theme_.small, {(place.from.x + place.to.x) / 2, place.from.y + theme_.px(4)}, ink, text, 0.5F);
 }
 
 bool Widgets::pick(const char* label, int& index, int standard, std::span<const std::string> words, const char* none,

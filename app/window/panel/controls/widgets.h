@@ -80,7 +80,9 @@ class Widgets {
     value = static_cast<Choice>(index);
     return changed;
   }
-  bool choose(const char* label, int& index, int standard, std::span<const char* const> words, const Help& help);
+  /// `why_not` has the reason why a word cannot be chosen now, or null, for each word; empty: all can be.
+  bool choose(const char* label, int& index, int standard, std::span<const char* const> words, const Help& help,
+              std::span<const char* const> why_not = {});
 
   /// Offers one of many words, from a list that opens. `none` is its first entry, index -1; null: the list has no such
   /// entry.
@@ -123,10 +125,22 @@ class Widgets {
     bool explains = false;  ///< the keyboard rests on it
   };
 
-  void choose_in_line(const char* label, const Area& line, std::span<const char* const> words, int first, int& index);
+  /// The words of a choice, with the reasons why some cannot be chosen.
+  struct Words {
+    std::span<const char*const> all, why_not;
+
+    [[nodiscard]] const char* reason(int index) const {
+      return why_not.empty() ? nullptr : why_not[static_cast<std::size_t>(index)];
+    }
+    /// Returns the next word that can be chosen, so many steps further; the present one where there is none.
+    [[nodiscard]] int next(int index, int steps, bool goes_round) const;
+  };
+  void choose_in_line(const char* label, const Area& line, const Words& words, int first, int last, int& index);
+  void show_word(const char* label, const Area& place, const Words& words, int word, int& index);
   bool invisible(const std::string& name, const Area& place, bool takes_clicks);
   void tooltip_at(float y, const char* title, const Help& help, const std::string& standard) const;
   bool is_left_out(const char* label, const Help& help);
+  void go_to_wanted_section(const char* title);
   void draw_title(const std::string& title, float free_at_the_right) const;
   void show_found_place(const RowSearch::Place& place);
   Row begin_row(const char* label, bool changed, const Help& help, const std::string& standard);
@@ -140,11 +154,11 @@ class Widgets {
 
   const Theme& theme_;
   UiMap& map_;
-  void go_to_wanted_section(const char* title);
   RowSearch* search_ = nullptr;  ///< null: all is shown
   PanelFocus focus_;
   int list_place_ = -1;                 ///< the word of the open list that keys have come to
   std::string wanted_section_;          ///< empty: none is scrolled to
+  std::set<std::string> folded_;        ///< the titles of sections that the person has folded
   std::string_view key_;                ///< of the value that the rows that are shown now edit
   std::optional<std::string> idle_;     ///< why the rows that are shown now have no effect
   std::map<ImGuiID, FieldText> typed_;  ///< text of the field that is typed into; two while one is left for another
@@ -158,7 +172,6 @@ class ButtonRow {
   /// Shows the next button to the right. `idle` is why it does nothing now; null: it does something. Returns whether it
   /// was pressed.
   bool button(const char* label, const Help& help, const char* idle = nullptr);
-  std::set<std::string> folded_;        ///< the titles of sections that the person has folded
   /// Shows such a button, which asks for something when it is pressed.
   void ask(auto& requests, auto asked, const char* label, const Help& help, const char* idle = nullptr) {
     if (button(label, help, idle)) requests.ask(std::move(asked));
@@ -177,10 +190,10 @@ class ButtonRow {
 /// Shows one button over all of the width that is left.
 bool wide_button(Widgets& widgets, const char* label, const Help& help, const char* idle = nullptr);
 
-/// Returns a rectangle that knows whether the pointer is over it.
-Area rectangle(ImVec2 from, ImVec2 to);
-
 /// Draws the sign beside a title that a click folds: it points down where the part below is shown, else up.
 void draw_fold_sign(const Theme& theme, ImVec2 middle, bool is_folded, ImU32 ink);
+
+/// Returns a rectangle that knows whether the pointer is over it.
+Area rectangle(ImVec2 from, ImVec2 to);
 
 }  // namespace throng::app

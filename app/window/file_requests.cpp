@@ -2,11 +2,11 @@
 
 #include <system_error>
 
+#include "app/files/whole_path.h"
 #include "app/show/kept_choices.h"
 #include "app/show/show.h"
 #include "app/show/stage/stage.h"
 #include "app/window/wardrobe_requests.h"
-#include "engine/base/text/plain_text.h"
 
 namespace throng::app {
 namespace {
@@ -22,7 +22,7 @@ void FileRequests::take(const FileRequest& request) {
 void FileRequests::carry_out(const SavePreset& asked) {
   const std::filesystem::path file = preset_file(asked.preset);
   const Tuning& tuning = session_.editor.tuning();
-  if (!messages().report(write_preset(file, {tuning, session_.camera.place()}), "Wrote " + file.string())) return;
+  if (!messages().report(write_preset(file, {tuning, session_.camera.place()}), "Wrote " + whole_path(file))) return;
   session_.unsaved.keep(tuning, overlay_.tuning_pair());
   session_.reporter.report().preset_names = preset_names();
 }
@@ -38,7 +38,7 @@ void FileRequests::carry_out(const DeletePreset& asked) {
   std::error_code failed;
   std::filesystem::remove(file, failed);
   messages().report(failed ? Status(Error{file.string() + ": " + failed.message()}) : Done{},
-                    "Deleted " + file.string());
+                    "Deleted " + whole_path(file));
   session_.reporter.report().preset_names = preset_names();
 }
 
@@ -55,7 +55,7 @@ void FileRequests::carry_out(const SaveCrowd& asked) {
   CrowdSetup setup = crowd_setup(session_.show.stage().people(), {tuning, session_.camera.place()});
   setup.pair = overlay_.tuning_pair();
   setup.bookmarks = session_.camera.bookmarks();
-  if (!messages().report(write_crowd_file(file, setup), "Wrote " + file.string())) return;
+  if (!messages().report(write_crowd_file(file, setup), "Wrote " + whole_path(file))) return;
   session_.unsaved.keep(tuning);
   if (setup.pair.has_two()) session_.unsaved.keep_other(setup.pair.other());
   session_.reporter.report().crowd_names = crowd_names(".");
@@ -69,7 +69,7 @@ void FileRequests::open_crowd(const std::filesystem::path& file) {
   if (!session_.editor.take(SetCast{setup->characters}, file.string())) return;
   take(setup->preset);
   take_kept(*setup);
-  messages().say("Opened " + file.string());
+  messages().say("Opened " + whole_path(file));
 }
 
 const CharacterSource& FileRequests::character() const { return session_.show.stage().characters()[shown()]; }
@@ -90,12 +90,12 @@ void FileRequests::take(const Preset& preset) {
 
 void FileRequests::carry_out(const SaveRules& asked) {
   const auto rules = saved(asked, session_.show.stage(), shown());
-  if (dress(rules)) messages().say("Wrote " + rules->file);
+  if (dress(rules)) messages().say("Wrote " + whole_path(rules->file));
 }
 
 void FileRequests::carry_out(const LoadRules& asked) {
   const auto rules = loaded(asked, session_.show.stage(), shown());
-  if (dress(rules)) messages().say("Read " + plain_text(rules->file));
+  if (dress(rules)) messages().say("Read " + whole_path(rules->file));
 }
 
 bool FileRequests::dress(const Result<SetRules>& rules) {
@@ -111,7 +111,7 @@ void FileRequests::carry_out(const SaveBones&) { say_where(save_bone_lod(charact
 void FileRequests::carry_out(const ExportLod&) { say_where(export_lod(session_.show, shown())); }
 
 void FileRequests::say_where(const Result<std::filesystem::path>& written) {
-  if (written) return messages().say("Wrote " + written->string());
+  if (written) return messages().say("Wrote " + whole_path(*written));
   messages().say(written.error().message, Message::Kind::refused);
 }
 

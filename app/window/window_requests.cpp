@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/files/whole_path.h"
 #include "app/output/regression/origin.h"
 #include "app/show/painter.h"
 #include "app/show/recording/recorder.h"
@@ -88,11 +89,11 @@ void WindowRequests::carry_out(const ToggleRecording& /*asked*/) {
   Show& show = session_.show;
   const std::string file = session_.reporter.report().recording.file;
   if (show.recorder().is_recording())
-    return static_cast<void>(messages().report(show.stop_recording(), "Wrote " + file));
+    return static_cast<void>(messages().report(show.stop_recording(), "Wrote " + whole_path(file)));
   const std::string unused = unused_file(".rec", recordings_);
   if (!messages().report(show.start_recording(unused))) return;
   session_.reporter.report_recording(unused);
-  messages().say("The crowd begins anew and is recorded; R writes " + unused);
+  messages().say("The crowd begins anew and is recorded; R writes " + whole_path(unused));
 }
 
 void WindowRequests::carry_out(const CopyCamera& /*asked*/) { copy(camera_option(session_.camera.place())); }
@@ -126,7 +127,7 @@ void WindowRequests::take_screenshot() {
   const std::string file = unused_file(".png", screenshots_);
   Painter& painter = session_.show.painter();
   messages().report(render::write_png(painter.renderer().read_image(), file, origin_texts(painter.drawn_by())),
-                    "Wrote " + file);
+                    "Wrote " + whole_path(file));
 }
 
 }  // namespace throng::app

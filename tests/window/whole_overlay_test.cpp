@@ -120,7 +120,7 @@ class WholeOverlay : public WindowDriver {
   }
   void end_the_recording() {
     press("r");
-    wait_for_message("Wrote throng-1.rec");
+    wait_for_message("Wrote " + (folder() / "throng-1.rec").string());
   }
   void drop_files() {
     const std::string bad = std::string(THRONG_SOURCE_DIR) + "/README.md";

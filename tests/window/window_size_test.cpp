@@ -40,7 +40,7 @@ class WindowSize : public WindowDriver {
   std::string take_picture() {
     press("F12");
     const std::string file = "throng-" + std::to_string(++pictures_) + ".png";
-    wait_for(file, [&](const Json& map) { return map["report"]["message"] == "Wrote " + file; });
+    wait_for_message("Wrote " + (folder() / file).string());
     return file;
   }
   /// Holds what the display shows against the picture that was drawn.

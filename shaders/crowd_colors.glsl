@@ -26,8 +26,8 @@ vec4 tinted(const InstanceRecord instance) {
 vec4 color_of_weight() {
   uvec4 places = entries_at(0u) - weighed_entry;
   float weight = dot(weights, vec4(lessThan(places, uvec4(weighed_entries))));
-  vec3 low = mix(vec3(0.02, 0.04, 0.2), vec3(0.05, 0.6, 0.1), min(2.0 * weight, 1.0));
-  return vec4(mix(low, vec3(1.0, 0.08, 0.02), max(2.0 * weight - 1.0, 0.0)), 0.95);
+  vec3 low = mix(vec3(0.02, 0.04, 0.2), vec3(0.05, 0.4, 0.15), min(2.0 * weight, 1.0));
+  return vec4(mix(low, vec3(1.0, 0.8, 0.05), max(2.0 * weight - 1.0, 0.0)), 0.95);
 }
 
 // The colour, linear, that stands for a value of the agent or the vertex; alpha says how much of it shows.

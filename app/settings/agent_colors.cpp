@@ -17,33 +17,20 @@ constexpr std::uint32_t rgba(std::uint32_t red, std::uint32_t green, std::uint32
   return red | green << 8U | blue << 16U | alpha << 24U;
 }
 
-// Goes from green (full detail) to red. People tell these colours apart at a glance.
+// Goes from dark (full detail) to light.
 std::uint32_t step_color(int step, int steps) {
-  constexpr std::array<std::uint32_t, 6> row = {rgba(70, 200, 120, 200), rgba(150, 205, 80, 200),
-                                                rgba(235, 205, 70, 200), rgba(240, 150, 60, 200),
-                                                rgba(230, 90, 70, 200),  rgba(190, 60, 120, 200)};
-  const int last = static_cast<int>(row.size()) - 1;
-  const int place = steps <= 1 ? 0 : std::clamp(step, 0, steps - 1) * last / (steps - 1);
-  return row[static_cast<std::size_t>(place)];
-}
-
-// Goes from green to red in smaller steps. Steps beyond the last share its colour.
-std::uint32_t fine_step_color(int step) {
-  constexpr std::array<std::uint32_t, 8> row = {
-      rgba(70, 200, 120, 200), rgba(125, 210, 70, 200), rgba(190, 205, 60, 200), rgba(240, 200, 70, 200),
-      rgba(245, 155, 60, 200), rgba(235, 105, 65, 200), rgba(215, 65, 90, 200),  rgba(170, 60, 140, 200)};
-  static_assert(row.size() >= static_cast<std::size_t>(mesh_lod_steps));
-  return row[static_cast<std::size_t>(std::clamp(step, 0, static_cast<int>(row.size()) - 1))];
+  return scale_color(steps <= 1 ? 0.0F
+                                : static_cast<float>(std::clamp(step, 0, steps - 1)) / static_cast<float>(steps - 1));
 }
 
 std::uint32_t srgb_byte(float linear) { return to_byte(srgb_of_light(linear)); }
 
 }  // namespace
 
-std::uint32_t interval_color(int frames) { return fine_step_color(frames - 1); }
+std::uint32_t interval_color(int frames) { return step_color(frames - 1, interval_steps); }
 
 std::uint32_t bone_level_color(int level) { return step_color(level, max_bone_levels); }
-std::uint32_t mesh_lod_color(int lod) { return fine_step_color(lod); }
+std::uint32_t mesh_lod_color(int lod) { return step_color(lod, mesh_lod_steps); }
 
 float error_limit(int step) { return std::ldexp(first_error_limit, step); }
 
@@ -111,7 +98,7 @@ std::uint32_t debug_color(const Tuning& tuning, const AgentDetail& detail) {
 // The colours and their order are as in color_of_weight in shaders/crowd_vertex_main.glsl, which are linear.
 std::uint32_t weight_color(float weight) {
   constexpr std::array<std::array<float, 3>, 3> ramp = {
-      {{0.02F, 0.04F, 0.2F}, {0.05F, 0.6F, 0.1F}, {1.0F, 0.08F, 0.02F}}};
+      {{0.02F, 0.04F, 0.2F}, {0.05F, 0.4F, 0.15F}, {1.0F, 0.8F, 0.05F}}};
   const float place = 2.0F * std::clamp(weight, 0.0F, 1.0F);
   const std::size_t from = place < 1.0F ? 0 : 1;
   const auto mixed = [&](std::size_t part) {

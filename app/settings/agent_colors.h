@@ -9,7 +9,8 @@
 
 namespace throng::app {
 
-// Every colour that stands for a value, once. Agents, plots, legends and lines in the scene take it from here.
+// Every colour that stands for a value, once. Agents, plots, legends and lines in the scene take it from here. The
+// colours of a value grow lighter with it, so that people who tell few colours apart see the order too.
 
 /// The figures of an agent that debug views show.
 struct AgentDetail {
@@ -31,14 +32,14 @@ struct ColorScale {
 };
 /// Returns the scale of the view in force; nothing where it has steps.
 std::optional<ColorScale> color_scale(const Tuning& tuning);
-/// Returns the colour of a share of a scale, 0 to 1, opaque, so that no clothes change it. Lightness grows with it,
-/// also for people who tell few colours apart.
+/// Returns the colour of a share of a scale, 0 to 1, opaque, so that no clothes change it.
 std::uint32_t scale_color(float share);
 
 /// Returns the colour (RGBA8, sRGB, red in the lowest byte) that the debug view in force lays over an agent; 0: none.
 std::uint32_t debug_color(const Tuning& tuning, const AgentDetail& detail);
 
 /// Returns the colour of an interval. Intervals beyond eight frames share the last.
+inline constexpr int interval_steps = 8;
 std::uint32_t interval_color(int frames);
 std::uint32_t bone_level_color(int level);
 
@@ -51,8 +52,8 @@ inline constexpr int error_steps = 6;
 /// Returns the pixels below which an error is of a step before the last.
 float error_limit(int step);
 
-/// The colour of the selected agent, which is the overlay's own, so that card and character seem to belong together.
-inline constexpr std::uint32_t selected_color = 0xB0AEBF48;
+/// The colour of the selected agent, which is none of a value's, also for people who tell few colours apart.
+inline constexpr std::uint32_t selected_color = 0xE0FF50DC;
 
 /// The colour of the lines that show the bounds of a character in the viewer.
 inline constexpr std::uint32_t bounds_color = 0xFF54B2F0;

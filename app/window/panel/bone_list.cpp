@@ -126,7 +126,7 @@ void show_border(const TabContext& context, int level, std::size_t bones) {
   const std::string words = "level " + std::to_string(level) + " keeps the " + std::to_string(bones) + " above";
   const float width = text_width(theme.small, words);
   const float middle = from.y + theme.px(8);
-  draw_text(theme.small, {from.x + theme.px(32), from.y}, colour::bone_level(level), words);
+  draw_text(theme.small, {from.x + theme.px(32), from.y}, colour::text, words);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddLine({from.x, middle}, {from.x + theme.px(26), middle}, ink);
   draw.AddLine({from.x + width + theme.px(40), middle}, {row.to.x, middle}, ink);

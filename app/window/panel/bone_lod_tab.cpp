@@ -68,7 +68,8 @@ void show_band(const TabContext& context) {
                        theme.px(3));
     const std::string words = bones_of(context.report, static_cast<int>(level));
     if (to - from > theme.px(20)) {
-      draw_text(theme.small, {(from + to) / 2, band.from.y + theme.px(6)}, colour::on_accent, words, 0.5F);
+      draw_text(theme.small, {(from + to) / 2, band.from.y + theme.px(6)},
+                colour::ink_on(colour::bone_level(static_cast<int>(level))), words, 0.5F);
     }
   }
 }

@@ -136,8 +136,9 @@ void draw_leader(const LabelShape& shape, int lines_up) {
 
 void draw_label(const Theme& theme, const Area& place, const HeadFigures& head, const std::string& words) {
   ImGui::GetWindowDrawList()->AddRectFilled(place.from, place.to, colour::panel, theme.px(3));
-  draw_text(theme.small, {place.from.x + theme.px(4), place.from.y + theme.px(1)}, colour::interval(head.interval),
-            words);
+  ImGui::GetWindowDrawList()->AddRectFilled(place.from, {place.from.x + theme.px(3), place.to.y},
+                                            colour::interval(head.interval), theme.px(3), ImDrawFlags_RoundCornersLeft);
+  draw_text(theme.small, {place.from.x + theme.px(5), place.from.y + theme.px(1)}, colour::text, words);
 }
 
 /// A label that has its place.

@@ -48,10 +48,11 @@ void show_picture_section(const TabContext& context) {
   const auto& [widgets, report, tuning, standard, requests, memory] = context;
   if (!widgets.folding_section("Picture")) return;
   show_quality(context);
-  context.row("debug_view",
-              {.what = "none: everyone's own clothes. interval: frames between updates. bones: per-bone LOD level. "
-                       "mesh: mesh LOD. Cool colours are full detail, warm ones the coarsest. speed, density: how fast "
-                       "people go, how close they stand. presence: since when they are there."});
+  context.row(
+      "debug_view",
+      {.what = "none: people's own clothes. interval: frames between updates. bones: per-bone LOD level. "
+               "mesh: mesh LOD. Dark colours are full detail, light ones the coarsest. speed, density: how fast "
+               "people go, how close they stand. presence: since when they are there."});
   show_scale(context);
   context.row(
       "picture_size",

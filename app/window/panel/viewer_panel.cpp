@@ -138,7 +138,7 @@ void show_look(Panel& panel) {
                           "body, which a click is aimed at."});
   widgets.pick("Weights of", settings.weighed_bone, -1, report.bones, "none",
                {.what = "Colours show how much of each part of the surface follows a bone: from blue, nothing, over "
-                        "green to red, all."});
+                        "green to yellow, all."});
   choose_number(widgets, "Bone level", settings.bone_level, report.level_bones.size(),
                 {.what = "The bones that a level of detail keeps; 0 has all."});
   choose_number(widgets, "Mesh LOD", settings.mesh_lod, report.meshes.size(),

@@ -106,6 +106,12 @@ void set_shapes(ImGuiStyle& style, float scale) {
 ImU32 colour::interval(int frames) { return interval_color(frames) | IM_COL32_A_MASK; }
 ImU32 colour::bone_level(int level) { return bone_level_color(level) | IM_COL32_A_MASK; }
 
+ImU32 colour::ink_on(ImU32 ground) {
+  constexpr float light = 0.45F;
+  const ImVec4 part = ImGui::ColorConvertU32ToFloat4(ground);
+  return 0.3F * part.x + 0.59F * part.y + 0.11F * part.z > light ? on_accent : text;
+}
+
 ImU32 colour::with_alpha(ImU32 colour, float alpha) {
   const auto scaled = static_cast<ImU32>(alpha * static_cast<float>(colour >> IM_COL32_A_SHIFT));
   return (colour & ~IM_COL32_A_MASK) | (scaled << IM_COL32_A_SHIFT);

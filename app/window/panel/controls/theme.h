@@ -38,6 +38,8 @@ ImU32 with_alpha(ImU32 colour, float alpha);
 /// Returns the colour that debug views lay over an agent that is updated every so many frames, opaque.
 ImU32 interval(int frames);
 ImU32 bone_level(int level);
+/// Returns the colour of words that lie on that one.
+ImU32 ink_on(ImU32 ground);
 }  // namespace colour
 
 /// Fonts and measures; a length written in pixels of a plain screen is multiplied by the scale of the overlay.

@@ -20,42 +20,44 @@ bool is_live(const Stage& stage) {
 
 }  // namespace
 
-std::vector<NamedCamera> cameras_of(const Stage& stage, float aspect) {
+std::vector<NamedCamera> cameras_of(const Stage& stage, float aspect, const PicturePart& part) {
   if (const FollowedTracks* const tracks = stage.crowd().tracks()) {
-    return track_cameras(tracks->people(), static_cast<float>(stage.crowd().laid_out_for().height), aspect);
+    return track_cameras(tracks->people(), static_cast<float>(stage.crowd().laid_out_for().height), aspect, part);
   }
   return scene_cameras(stage.tuning().scene, static_cast<std::size_t>(stage.tuning().agents),
                        common_roles(roles_of(stage.characters())), stage.tuning().clothes);
 }
 
-render::Camera CameraGuide::begin_scene(const Stage& stage) {
-  start_ = camera_at(cameras_of(stage).front().place);
+render::Camera CameraGuide::begin_scene(const Stage& stage, float aspect, const PicturePart& part) {
+  start_ = camera_at(cameras_of(stage, aspect, part).front().place);
   return start_;
 }
 
-render::Camera CameraGuide::home(const Stage& stage) const {
-  return has_path() ? start_ : camera_at(cameras_of(stage).front().place);
+render::Camera CameraGuide::home(const Stage& stage, float aspect, const PicturePart& part) const {
+  return has_path() ? start_ : camera_at(cameras_of(stage, aspect, part).front().place);
 }
 
 bool CameraGuide::can_film(const Stage& stage) const {
   return has_path() || stage.animated().cut_scene() != nullptr || is_live(stage);
 }
 
-render::Camera CameraGuide::moved(const Stage& stage, const render::Camera& camera, bool films) {
+render::Camera CameraGuide::moved(const Stage& stage, const render::Camera& camera, bool films, float aspect,
+                                  const PicturePart& part) {
   if (films && !keys_.empty()) return along(keys_, to_seconds(stage.system().clock()));
   if (films && path_ != CameraPath::none) return along(path_, start_, to_seconds(stage.system().clock()));
   if (films && stage.animated().cut_scene() != nullptr) return stage.animated().cut_scene()->film();
   look_for_another(stage);
-  const render::Camera next = films && is_live(stage) ? held_live(stage, camera) : camera;
+  const render::Camera next = films && is_live(stage) ? held_live(stage, camera, aspect, part) : camera;
   return behind_ ? behind_->moved(stage, next) : carried(stage, next);
 }
 
 // It goes back smoothly, since it may come from an agent far away.
-render::Camera CameraGuide::held_live(const Stage& stage, const render::Camera& camera) {
+render::Camera CameraGuide::held_live(const Stage& stage, const render::Camera& camera, float aspect,
+                                      const PicturePart& part) {
   constexpr double seconds_to_go = 1.2;
   const GroundBounds& bounds = stage.crowd().tracks()->people().bounds();
   if (bounds != live_bounds_) {
-    const auto cameras = cameras_of(stage);
+    const auto cameras = cameras_of(stage, aspect, part);
     const NamedCamera* const named = find_camera(cameras, live_name_);
     live_place_ = camera_at(named != nullptr ? named->place : cameras.front().place);
     live_bounds_ = bounds;

@@ -11,6 +11,7 @@
 #include "app/settings/settings.h"
 #include "app/show/camera/camera_path.h"
 #include "app/show/camera/scenes.h"
+#include "app/show/crowd_framing.h"
 #include "app/show/follow_camera.h"
 #include "engine/tracks/ground_bounds.h"
 
@@ -19,8 +20,8 @@ namespace throng::app {
 class Stage;
 
 /// Returns the named cameras of the scene on a stage.
-/// `aspect` is the aspect ratio of the picture.
-std::vector<NamedCamera> cameras_of(const Stage& stage, float aspect = 16.0F / 9.0F);
+/// `aspect` is the aspect ratio of the picture; those of a recorded crowd see all of it in `part` of the picture.
+std::vector<NamedCamera> cameras_of(const Stage& stage, float aspect = usual_aspect, const PicturePart& part = {});
 
 /// Moves the camera while no person flies it: along a path, as the film of a cut scene, with an agent, or back from a
 /// live crowd that grows.
@@ -34,9 +35,9 @@ class CameraGuide {
 
   /// Returns where the camera begins in the scene on the stage, which may be another one than before. A path begins
   /// there too.
-  render::Camera begin_scene(const Stage& stage);
+  render::Camera begin_scene(const Stage& stage, float aspect = usual_aspect, const PicturePart& part = {});
   /// Returns where the camera goes back to: the beginning of its path, or the scene's first camera.
-  render::Camera home(const Stage& stage) const;
+  render::Camera home(const Stage& stage, float aspect = usual_aspect, const PicturePart& part = {}) const;
 
   /// Lets a camera of a live crowd hold all that it has seen of it, whenever it films.
   void frame_live(const std::string& name) { live_name_ = name; }
@@ -54,7 +55,8 @@ class CameraGuide {
   bool follows() const { return follows_ || behind_.has_value(); }
 
   /// Returns the camera for the moment on the stage. `films`: a path or a film moves it. Call it once a frame.
-  render::Camera moved(const Stage& stage, const render::Camera& camera, bool films);
+  render::Camera moved(const Stage& stage, const render::Camera& camera, bool films, float aspect = usual_aspect,
+                       const PicturePart& part = {});
 
  private:
   /// An agent and where it was in the frame before.
@@ -63,7 +65,7 @@ class CameraGuide {
     glm::vec3 place{0.0F};
   };
   void look_for_another(const Stage& stage);
-  render::Camera held_live(const Stage& stage, const render::Camera& camera);
+  render::Camera held_live(const Stage& stage, const render::Camera& camera, float aspect, const PicturePart& part);
   render::Camera carried(const Stage& stage, const render::Camera& camera);
 
   bool has_path() const { return path_ != CameraPath::none || !keys_.empty(); }

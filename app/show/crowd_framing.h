@@ -21,6 +21,8 @@ struct PicturePart {
   float left = 0.0F, top = 0.0F, right = 1.0F, bottom = 1.0F;
 };
 
+inline constexpr float usual_aspect = 16.0F / 9.0F;
+
 /// The share of the free part's width and height that stays empty at each of its edges.
 inline constexpr float framing_margin = 0.05F;
 

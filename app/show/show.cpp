@@ -86,7 +86,7 @@ Status Show::draw() {
     if (painter.lines_left_out() != left_out_before) notice_ = notice_of(*parts_);
     return drawn;
   }
-  const render::Camera round = parts_->viewer->turntable().camera(seen.aspect(), seen.covered);
+  const render::Camera round = parts_->viewer->turntable().camera(seen.aspect(), 1.0F - seen.free.right);
   return painter.draw(parts_->viewer->frame(render::view_of(round, seen.aspect())), parts_->stage->tuning());
 }
 

@@ -24,14 +24,14 @@ struct PaintedView {
 struct ShowView : PaintedView {
   bool films = false;  ///< a camera path or the camera of a cut scene sets `camera` in each frame, where there is one
   CameraGuide guide;
-  float covered = 0.0F;  ///< share of the picture's width, at its right, that a panel hides from the viewer
+  PicturePart free = {};  ///< the part of the picture that no panel hides
 
   /// Takes the camera that the scene on the stage brings.
-  void begin_scene(const Stage& stage) { camera = guide.begin_scene(stage), films = true; }
+  void begin_scene(const Stage& stage) { camera = guide.begin_scene(stage, aspect(), free), films = true; }
   /// Moves the camera for the moment on the stage, and freezes it for level of detail if `freezes`. Call it once a
   /// frame.
   void move(const Stage& stage, bool freezes) {
-    camera = guide.moved(stage, camera, films);
+    camera = guide.moved(stage, camera, films, aspect(), free);
     if (!freezes) frozen.reset();
     if (freezes && !frozen) frozen = camera;
   }

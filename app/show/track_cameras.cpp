@@ -9,6 +9,9 @@
 namespace throng::app {
 namespace {
 
+constexpr float plan_field_of_view = 4.0F;  // degrees
+constexpr float highest_camera = 0.5F * render::Camera::far_distance;
+
 struct Look {
   const char* name;
   float yaw, pitch, field_of_view;  // degrees
@@ -29,7 +32,8 @@ FramedBox box_of(const Followers& followers, float height) {
           .high = {bounds.high.x + beside, height, bounds.high.y + beside}};
 }
 
-std::vector<NamedCamera> track_cameras(const Followers& followers, float height, float aspect) {
+std::vector<NamedCamera> track_cameras(const Followers& followers, float height, float aspect,
+                                       const PicturePart& part) {
   const FramedBox box = box_of(followers, height);
   // Cameras look from a long side, so that the crowd fills the width of the picture. A live crowd's is not known.
   const Trajectories& all = followers.trajectories();
@@ -41,16 +45,20 @@ std::vector<NamedCamera> track_cameras(const Followers& followers, float height,
                          Look{"close", 0.0F, 0.0F, 0.0F},
                          Look{"far", turn + 30.0F, -14.0F, 36.0F},
                          Look{"tower", turn + 12.0F, -42.0F, 45.0F},
-                         Look{"top", 0.0F, -90.0F, 40.0F}};
+                         Look{"top", 0.0F, -90.0F, plan_field_of_view}};
   std::vector<NamedCamera> cameras;
   for (const Look& look : looks) {
     if (look.field_of_view == 0.0F) {
       cameras.push_back({look.name, close_to(box, height)});
       continue;
     }
-    const render::Camera toward =
-        camera_at({.yaw = look.yaw, .pitch = look.pitch, .field_of_view = look.field_of_view});
-    cameras.push_back({look.name, place_of(framed(toward, {&box, 1}, aspect, {}))});
+    render::Camera toward = camera_at({.yaw = look.yaw, .pitch = look.pitch, .field_of_view = look.field_of_view});
+    render::Camera placed = framed(toward, {&box, 1}, aspect, part);
+    if (placed.position.y > highest_camera) {  // a wider view sees it all from less high
+      toward.vertical_view *= placed.position.y / highest_camera;
+      placed = framed(toward, {&box, 1}, aspect, part);
+    }
+    cameras.push_back({look.name, place_of(placed)});
   }
   return cameras;
 }

@@ -105,7 +105,7 @@ Status finish_output(Show& show, const DemoOptions& options, Output* output) {
 }
 
 Status run_headless(Show& show, const DemoOptions& options, Replay* replay) {
-  if (options.ui) show.view().covered = column_share(options.width, options.ui_scale);
+  if (options.ui) show.view().free.right = 1.0F - column_share(options.width, options.ui_scale);
   const bool has_overlay = (options.ui || options.legend) && show.painter().draws();
   DrawnOverlay overlay(options);
   std::unique_ptr<Output> output;

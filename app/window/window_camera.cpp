@@ -1,10 +1,12 @@
 #include "app/window/window_camera.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "app/people/crowd/crowd.h"
 #include "app/show/crowd_framing.h"
-#include "app/show/painter.h"
 #include "app/show/report/frame_report.h"
 #include "app/show/show.h"
 #include "app/show/show_view.h"
@@ -32,8 +34,21 @@ PicturePart part_of(const UiRectangle& area, glm::ivec2 window) {
 
 }  // namespace
 
-WindowCamera::WindowCamera(const Show& show)
-    : fly_(place_of(show.view().camera)), scene_(show.stage().tuning().scene) {}
+WindowCamera::WindowCamera(const Show& show) : fly_(place_of(show.view().camera)), scene_(show.stage().tuning().scene) {
+  const std::vector<NamedCamera> cameras = cameras_of(show.stage(), show.view().aspect());
+  const auto is_shown = [&](const NamedCamera& named) { return camera_at(named.place) == show.view().camera; };
+  const auto shown = std::ranges::find_if(cameras, is_shown);
+  if (shown != cameras.end()) begins_at_ = static_cast<std::size_t>(shown - cameras.begin());
+}
+
+void WindowCamera::see_beside(const UiRectangle& area, glm::ivec2 window, Show& show) {
+  ShowView& view = show.view();
+  view.free = part_of(area, window);
+  const auto named = std::exchange(begins_at_, std::nullopt);
+  if (!named) return;
+  view.camera = camera_at(cameras_of(show.stage(), view.aspect(), view.free).at(*named).place);
+  fly_.set_camera(view.camera);
+}
 
 void WindowCamera::steer(Show& show, const InputFrame& input, const FlyControls& free, float seconds) {
   if (Viewer* const viewer = show.viewer()) return viewer->turntable().update(input, free);
@@ -52,12 +67,13 @@ void WindowCamera::take(const CameraRequest& request, Show& show) {
 
 void WindowCamera::carry_out(const GoHome& /*asked*/, Show& show) {
   show.view().guide.follow(false);
-  put(place_of(show.view().guide.home(show.stage())), show);
+  const ShowView& view = show.view();
+  put(place_of(view.guide.home(show.stage(), view.aspect(), view.free)), show);
   show.view().films = true;
 }
 
 void WindowCamera::carry_out(const GoToCamera& asked, Show& show) {
-  const std::vector<NamedCamera> cameras = cameras_of(show.stage());
+  const std::vector<NamedCamera> cameras = cameras_of(show.stage(), show.view().aspect(), show.view().free);
   if (asked.camera < cameras.size()) put(cameras[asked.camera].place, show);
 }
 
@@ -77,16 +93,16 @@ void WindowCamera::carry_out(const GoToBookmark& asked, Show& show) {
 }
 
 void WindowCamera::put(const CameraPose& place, Show& show) {
+  begins_at_.reset();
   fly_.set_camera(camera_at(place));
   show.view().films = false;
   was_put_ = true;
 }
 
-void WindowCamera::frame_crowd(const UiRectangle& area, Show& show) {
+void WindowCamera::frame_crowd(Show& show) {
   const std::vector<FramedBox> boxes = boxes_of(show.stage());
   if (boxes.empty()) return;
-  const float aspect = show.view().aspect();
-  fly_.set_camera(framed(fly_.camera(), boxes, aspect, part_of(area, show.painter().renderer().size())));
+  fly_.set_camera(framed(fly_.camera(), boxes, show.view().aspect(), show.view().free));
   show.view().films = false;
 }
 

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <optional>
 
+#include <glm/vec2.hpp>
+
 #include "app/settings/settings.h"
 #include "app/show/camera/camera_bookmarks.h"
 #include "app/show/camera/fly_camera.h"
@@ -28,8 +30,11 @@ class WindowCamera {
   void take(const CameraRequest& request, Show& show);
   /// Puts the camera where the person says, even if the scene changes in this frame.
   void put(const CameraPose& place, Show& show);
-  /// Moves the camera until the whole crowd is seen in `area` of the picture, in pixels from the top left.
-  void frame_crowd(const UiRectangle& area, Show& show);
+  /// Says in which part of the window, in pixels from the top left, no panel lies. The first call moves a camera of the
+  /// show that sees the crowd in the whole picture, so that it sees it there.
+  void see_beside(const UiRectangle& area, glm::ivec2 window, Show& show);
+  /// Moves the camera until the whole crowd is seen in that part.
+  void frame_crowd(Show& show);
 
   /// Gives the show its camera for this frame. Another scene than before has brought its own.
   void hand_over(Show& show);
@@ -57,7 +62,8 @@ class WindowCamera {
   FlyCamera fly_;
   CameraBookmarks bookmarks_;
   Scene scene_;
-  bool was_put_ = false;  // in this frame
+  bool was_put_ = false;                  // in this frame
+  std::optional<std::size_t> begins_at_;  // the camera of the show that it begins at, until see_beside() is called
 };
 
 /// Reports what moves the camera of the show.

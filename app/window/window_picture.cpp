@@ -52,10 +52,8 @@ bool WindowPicture::keeps_panel(bool is_used) {
 
 Status WindowPicture::present(Overlay& overlay, bool is_used) {
   if (minimised_) return Done{};
-  ShowView& view = show_.view();
   render::Renderer& renderer = show_.painter().renderer();
   const UiRectangle crowd = overlay.crowd_area();
-  view.covered = 1.0F - crowd.width / static_cast<float>(size_.x);
   if (show_.painter().is_on_software()) {
     // A processor that draws leaves out the part under the panel, which is half of its work.
     const int height = static_cast<int>(std::ceil(crowd.height));

@@ -46,7 +46,7 @@ class WindowRequests {
   void carry_out(const StopSweep& /*asked*/) { session_.sweep.stop(); }
   void carry_out(const LookAtFrame& asked) { session_.reporter.look_at(asked.frame); }
   void carry_out(const LookAtLastFrames& /*asked*/) { session_.reporter.look_at_last(); }
-  void carry_out(const FrameCrowd& /*asked*/) { session_.camera.frame_crowd(overlay_.crowd_area(), session_.show); }
+  void carry_out(const FrameCrowd& /*asked*/) { session_.camera.frame_crowd(session_.show); }
   void copy(const std::string& options);
   void take_screenshot();
   Messages& messages() { return session_.messages(); }

@@ -12,6 +12,7 @@ namespace throng::app {
 namespace {
 
 constexpr float radians_a_pixel = 0.0035F;
+constexpr float usual_view = 0.7F;  // radians; a camera that sees less turns as much less with each pixel
 constexpr float times_faster = 4, times_slower = 0.25F;
 constexpr float speed_step = 1.2F;  // of the wheel
 
@@ -63,8 +64,9 @@ void FlyCamera::update(const InputFrame& input, const FlyControls& controls, flo
   if (controls.pointer_free) {
     set_speed(speed_ * std::pow(speed_step, input.wheel));
     if (input.down(MouseButton::right)) {
-      flight.turn_left = -input.moved_x * radians_a_pixel;
-      flight.turn_up = -input.moved_y * radians_a_pixel;
+      const float turn = radians_a_pixel * std::min(1.0F, camera_.vertical_view / usual_view);
+      flight.turn_left = -input.moved_x * turn;
+      flight.turn_up = -input.moved_y * turn;
     }
   }
   if (controls.keyboard_free) flight.move = direction(input);

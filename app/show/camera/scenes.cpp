@@ -115,6 +115,7 @@ std::vector<NamedCamera> cut_scene_cameras(double spacing, const NamedCamera& to
 std::span<const char* const> scene_camera_names(Scene scene) {
   static constexpr std::array plaza = {"front", "above", "close", "far", "tower", "fountain"};
   static constexpr std::array parade = {"front", "above", "close", "far", "tower", "street"};
+  static constexpr std::array tracks = {"front", "above", "close", "far", "tower", "top"};
   static constexpr std::array stadium = {"front", "above", "close", "far", "tower", "tiers", "pitch"};
   switch (scene) {
     case Scene::plaza:
@@ -123,9 +124,10 @@ std::span<const char* const> scene_camera_names(Scene scene) {
       return parade;
     case Scene::stadium:
       return stadium;
+    case Scene::tracks:
+      return tracks;
     case Scene::grid:
     case Scene::film:
-    case Scene::tracks:
       break;
   }
   return std::span(plaza).first<5>();

@@ -2,14 +2,20 @@
 #include <algorithm>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "app/show/camera/fly_camera.h"
 #include "app/show/camera/scenes.h"
-#include "app/window/panel/tabs.h"
 #include "app/window/panel/cards.h"
+#include "app/window/panel/tabs.h"
 
 namespace throng::app {
 namespace {
+
+constexpr const char* what_top_is =
+    "Looks down as a plan does, with the file's y up: from so far away, with so narrow a view, that there is hardly "
+    "any "
+    "perspective. It is no orthographic projection: at the edge a head lies up to 12 cm farther out than its feet.";
 
 void show_scene_cameras(const TabContext& context) {
   constexpr std::size_t in_a_row = 4;
@@ -17,7 +23,9 @@ void show_scene_cameras(const TabContext& context) {
   for (std::size_t first = 0; first < names.size(); first += in_a_row) {
     ButtonRow buttons(context.widgets, static_cast<int>(in_a_row));
     for (std::size_t i = first; i < std::min(first + in_a_row, names.size()); ++i) {
-      const bool pressed = buttons.button(names[i], {.what = "Goes to this camera of the scene."});
+      const bool is_plan = std::string_view(names[i]) == "top";
+      const bool pressed =
+          buttons.button(names[i], {.what = is_plan ? what_top_is : "Goes to this camera of the scene."});
       if (pressed) context.requests.ask(GoToCamera{i});
     }
   }

@@ -1,12 +1,22 @@
 // Key F: the camera goes where the whole crowd fills what the panel leaves free.
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
 #include <gtest/gtest.h>
 
+#include "app/show/camera/fly_camera.h"
+#include "app/show/camera/scenes.h"
+#include "app/show/camera_guide.h"
 #include "app/show/crowd_framing.h"
 #include "app/show/show.h"
 #include "app/show/show_view.h"
@@ -17,6 +27,8 @@
 
 namespace throng::app::framing_test {
 namespace {
+
+using namespace std::string_view_literals;
 
 /// Where the crowd is seen, in shares of the free part of the picture: 0 at its left or upper edge, 1 at the others.
 struct Seen {
@@ -73,7 +85,8 @@ void expect_framed(Show& show) {
         WindowCamera camera(show);
         camera.put({.x = 3, .y = 2, .z = 5, .yaw = 57.3F * turned, .pitch = 57.3F * pitch}, show);
         const render::Camera before = camera.camera();
-        camera.frame_crowd(area, show);
+        camera.see_beside(area, size, show);
+        camera.frame_crowd(show);
         EXPECT_EQ(camera.camera().yaw, before.yaw);
         EXPECT_EQ(camera.camera().pitch, before.pitch);
         expect_filled(show, camera.camera(), area, size);
@@ -117,6 +130,78 @@ TEST(Framing, FillsItWithAgentsOfSeventyNineMetres) {
   ASSERT_TRUE(show->take(SetPlacement{0, {.scale = 44}}));
   ASSERT_GT(boxes_of(show->stage()).front().high.y, 60.0F);
   expect_framed(*show);
+}
+
+class CamerasOfARecordedCrowd : public test::TemporaryFolder {
+ protected:
+  /// People who walk along a street of 60 m, which is 20 m wide.
+  std::unique_ptr<Show> recorded(double length = 60.0) const {
+    const std::filesystem::path walk = folder_ / "walk.csv";
+    std::ofstream file(walk);
+    file << "id,time,x,y\n";
+    for (const int second : {0, 40}) {
+      for (int person = 0; person <= 10; ++person) {
+        file << person << ',' << second << ',' << length * second / 40 << ',' << 2 * person << '\n';
+      }
+    }
+    file.close();
+    return test::show_of(test::demo("--trajectories " + walk.string()));
+  }
+  static bool is_among_people(std::size_t camera) { return scene_camera_names(Scene::tracks)[camera] == "close"sv; }
+};
+
+TEST_F(CamerasOfARecordedCrowd, SeeAllOfItBesideThePanel) {
+  const auto show = recorded();
+  for (const glm::ivec2 size : {glm::ivec2(1280, 720), {600, 400}, {500, 1200}}) {
+    show->view().width = size.x;
+    show->view().height = size.y;
+    WindowCamera camera(*show);
+    camera.see_beside(free_area(size), size, *show);
+    for (std::size_t i = 0; i < scene_camera_names(Scene::tracks).size(); ++i) {
+      if (is_among_people(i)) continue;
+      SCOPED_TRACE(std::string(scene_camera_names(Scene::tracks)[i]) + " in " + std::to_string(size.x));
+      camera.take(GoToCamera{i}, *show);
+      expect_filled(*show, camera.camera(), free_area(size), size);
+    }
+    camera.take(GoHome{}, *show);
+    expect_filled(*show, camera.camera(), free_area(size), size);
+  }
+}
+
+TEST_F(CamerasOfARecordedCrowd, BeginBesideThePanelToo) {
+  const auto show = recorded();
+  const glm::ivec2 size(show->view().width, show->view().height);
+  WindowCamera camera(*show);
+  camera.see_beside(free_area(size), size, *show);
+  expect_filled(*show, camera.camera(), free_area(size), size);
+  camera.put({.x = 1, .y = 2, .z = 3}, *show);
+  const render::Camera put = camera.camera();
+  camera.see_beside(free_area(size), size, *show);
+  EXPECT_EQ(camera.camera(), put) << "a person has moved it";
+}
+
+TEST_F(CamerasOfARecordedCrowd, LeaveACameraAloneThatAPersonChose) {
+  auto options = test::demo("--trajectories " + (folder_ / "walk.csv").string() + " --camera 1,2,3,40,-5,70");
+  recorded();
+  const auto show = test::show_of(options);
+  WindowCamera camera(*show);
+  const render::Camera before = camera.camera();
+  camera.see_beside(free_area({1280, 720}), {1280, 720}, *show);
+  EXPECT_EQ(camera.camera(), before);
+}
+
+// A plan of field tools has none at all.
+TEST_F(CamerasOfARecordedCrowd, LookAtItFromTheTopWithHardlyAnyPerspective) {
+  for (const double length : {10.0, 60.0, 3000.0}) {
+    const auto show = recorded(length);
+    const std::vector<NamedCamera> cameras = cameras_of(show->stage(), 16.0F / 9.0F);
+    const NamedCamera& top = *find_camera(cameras, "top");
+    EXPECT_LT(top.place.pitch, -88.0F);
+    EXPECT_LE(top.place.y, 0.51F * render::Camera::far_distance) << "all of it is drawn";
+    if (length > 100.0) continue;
+    const float lean = 1.8F * std::tan(glm::radians(0.5F * top.place.field_of_view));
+    EXPECT_LT(lean, 0.08F) << "metres of a person of 1.8 m, at the upper edge";
+  }
 }
 
 }  // namespace

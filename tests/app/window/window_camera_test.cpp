@@ -162,7 +162,7 @@ TEST_F(CameraOfAWindow, FliesAtItsSpeed) {
 
 TEST_F(CameraOfAWindow, FramesASingleAgentFromOutside) {
   test::change(*show_, [](Tuning& tuning) { tuning.agents = 1; });
-  camera_.frame_crowd({.width = 1280, .height = 720}, *show_);
+  camera_.frame_crowd(*show_);
   EXPECT_GT(glm::distance(camera_.camera().position, show_->stage().crowd().positions()[0]), 1.5F);
 }
 

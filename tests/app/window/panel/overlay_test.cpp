@@ -298,7 +298,7 @@ TEST(Overlay, TextGoesToTheClipboardAndComesFromIt) {
   driver.click("Agents.field");
   driver.input.push({.kind = InputEvent::Kind::key, .key = Key::control, .down = true});
   driver.press(Key::c);
-  EXPECT_EQ(driver.clipboard, "1000");
+  EXPECT_EQ(driver.clipboard, "1,000");
   driver.clipboard = "64";
   driver.press(Key::v);
   driver.input.push({.kind = InputEvent::Kind::key, .key = Key::control, .down = false});

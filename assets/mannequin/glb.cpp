@@ -179,20 +179,20 @@ Json document_head() {
           {"scenes", Json::array({{{"name", "scene"}, {"nodes", {0, joint_count}}}})}};
 }
 
-Json document(BufferWriter& buffer, const Mesh& body, std::span<const Clip> clips) {
+Json document(BufferWriter& buffer, const Mesh& body, std::span<const Clip> clips, const std::string& name) {
   Json file = document_head();
   file["nodes"] = joint_nodes();
-  file["nodes"].push_back({{"name", "mannequin"}, {"mesh", 0}, {"skin", 0}});
-  file["meshes"] = Json::array({add_mesh(buffer, body, "mannequin")});
+  file["nodes"].push_back({{"name", name}, {"mesh", 0}, {"skin", 0}});
+  file["meshes"] = Json::array({add_mesh(buffer, body, name)});
   file["materials"] =
-      Json::array({{{"name", "mannequin"},
+      Json::array({{{"name", name},
                     {"pbrMetallicRoughness",
                      {{"baseColorFactor", {1, 1, 1, 1}}, {"metallicFactor", 0}, {"roughnessFactor", 0.85}}}}});
   const std::vector<std::array<float, 16>> binds = inverse_binds();
   Json joints = Json::array();
   for (std::size_t j = 0; j < joint_count; ++j) joints.push_back(j);
   file["skins"] = Json::array(
-      {{{"name", "mannequin"},
+      {{{"name", name},
         {"inverseBindMatrices", buffer.add<std::array<float, 16>>(binds, "MAT4", ComponentType::float32, Target::none)},
         {"skeleton", 0},
         {"joints", joints}}});
@@ -204,9 +204,9 @@ Json document(BufferWriter& buffer, const Mesh& body, std::span<const Clip> clip
 
 }  // namespace
 
-std::vector<std::byte> write_glb(const Mesh& body, std::span<const Clip> clips) {
+std::vector<std::byte> write_glb(const Mesh& body, std::span<const Clip> clips, const std::string& name) {
   BufferWriter buffer;
-  const Json file = document(buffer, body, clips);
+  const Json file = document(buffer, body, clips, name);
   return making::glb_container(file, buffer.bytes());
 }
 

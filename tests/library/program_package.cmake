@@ -26,7 +26,7 @@ expect_field(Suggests "libosmesa6")
 execute_process(COMMAND dpkg-deb --contents ${deb} OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
 foreach(file IN ITEMS bin/throng share/applications/throng.desktop share/icons/hicolor/scalable/apps/throng.svg share/mime/packages/throng.xml
     share/doc/throng/copyright share/throng/shaders/crowd.vert share/throng/shaders/labels/crowd.vert share/throng/assets/mannequin.glb
-    share/throng/assets/cast.json share/throng/assets/fonts/Roboto-Regular.ttf)
+    share/throng/assets/cast.json share/throng/assets/fonts/Roboto-Regular.ttf share/throng/assets/samples/robot.glb)
   if(NOT listed MATCHES " \\./usr/${file}\n")
     message(SEND_ERROR "${file} is missing in ${deb}")
   endif()

@@ -23,13 +23,13 @@ if(NOT status EQUAL 1 OR NOT said MATCHES "share/throng/assets/mannequin.glb")
 endif()
 
 file(GLOB_RECURSE files RELATIVE ${PREFIX} ${PREFIX}/share/throng/*)
-list(FILTER files EXCLUDE REGEX "\\.(vert|geom|frag|glsl|glb|json|ttf|pack)$|/fonts/LICENSE.txt$")
+list(FILTER files EXCLUDE REGEX "\\.(vert|geom|frag|glsl|glb|json|ttf|pack)$|/fonts/LICENSE.txt$|/samples/")
 if(files)
   message(SEND_ERROR "the program reads none of these, and they were installed: ${files}")
 endif()
 
 foreach(kind IN ITEMS shaders/*.vert shaders/*.geom shaders/*.frag shaders/*.glsl shaders/labels/*.frag assets/*.glb assets/*.json
-     assets/fonts/*.ttf assets/fonts/*.txt)
+     assets/fonts/*.ttf assets/fonts/*.txt assets/samples/*.glb assets/samples/*.txt assets/samples/*.wkt)
   file(GLOB files RELATIVE ${SOURCE} ${SOURCE}/${kind})
   foreach(file IN LISTS files)
     if(NOT EXISTS ${PREFIX}-moved/share/throng/${file})

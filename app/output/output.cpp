@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
+#include "app/output/progress.h"
 #include "app/output/regression/origin.h"
 #include "app/show/painter.h"
 #include "app/show/stage/stage.h"
@@ -42,7 +42,7 @@ Status check_output(const OutputOptions& options) {
 int frames_of_run(const DemoOptions& options, const Show& show) {
   const FollowedTracks* const tracks = show.stage().crowd().tracks();
   const bool goes_on_to_its_end = tracks != nullptr && options.output.any();
-  if (!options.frames_given && show.live() != nullptr) return 0;
+  if (!options.frames_given && (show.live() != nullptr || !options.replay.empty())) return 0;
   if (options.frames_given || !goes_on_to_its_end) return options.frames;
   const TrackClock& clock = tracks->clock();
   const double left = clock.rate < 0.0 ? clock.seconds - clock.first : clock.last - clock.seconds;
@@ -51,14 +51,12 @@ int frames_of_run(const DemoOptions& options, const Show& show) {
 }
 
 Result<std::unique_ptr<Output>> Output::begin(const DemoOptions& options, const Show& show) {
-  const bool is_known = options.replay.empty() || options.frames_given;  // or the recording says it
-  std::unique_ptr<Output> output(new Output(options, is_known ? frames_of_run(options, show) : 0));
+  std::unique_ptr<Output> output(new Output(options));
   if (const Status opened = output->open_files(options, show); !opened) return opened.error();
   return output;
 }
 
-Output::Output(const DemoOptions& options, int frames)
-    : options_(options.output), format_(format_of(options)), progress_(frames) {}
+Output::Output(const DemoOptions& options) : options_(options.output), format_(format_of(options)) {}
 
 Status Output::open_files(const DemoOptions& options, const Show& show) {
   const std::size_t most_waiting = most_waiting_frames(format_);
@@ -89,9 +87,7 @@ bool Output::is_there(int frame) const {
 
 Status Output::take(Show& show, int frame) {
   frames_ = frame;
-  Status taken = is_there(frame) ? use_again(frame) : draw(show, frame);
-  progress_.show(frame);
-  return taken;
+  return is_there(frame) ? use_again(frame) : draw(show, frame);
 }
 
 Status Output::draw(Show& show, int frame) {
@@ -149,25 +145,23 @@ Status Output::finish() {
   if (video_) {
     if (Status finished = video_->finish(); !finished) return finished;
   }
-  progress_.end();
-  std::fprintf(stderr, "throng: %s\n", summary().c_str());
   return Done{};
 }
 
-std::string Output::summary() const {
-  std::string text = counted(static_cast<std::size_t>(frames_), "frame") + " in " + time_text(progress_.seconds());
+std::vector<std::string> Output::written() const {
+  const auto frames = static_cast<std::size_t>(frames_);
+  const std::string before =
+      kept_ > 0 ? "; " + counted(static_cast<std::size_t>(kept_), "frame") + " were there from before" : "";
+  std::vector<std::string> files;
   if (video_) {
     std::error_code error;
     const auto bytes = std::filesystem::file_size(options_.video, error);
-    text +=
-        "; " + options_.video + ": " + time_text(frames_ / format_.rate) + " of video, " + size_text(error ? 0 : bytes);
+    files.push_back(options_.video + " (" + time_text(frames_ / format_.rate) + " of video, " +
+                    size_text(error ? 0 : bytes) + ")");
   }
-  if (pictures_) {
-    text += "; " + options_.pictures + ": " + counted(static_cast<std::size_t>(frames_), "picture");
-  }
-  if (labels_) text += "; " + options_.labels + ": labels of " + counted(static_cast<std::size_t>(frames_), "frame");
-  if (kept_ > 0) text += "; " + counted(static_cast<std::size_t>(kept_), "frame") + " were there from before";
-  return text;
+  if (pictures_) files.push_back(options_.pictures + " (" + counted(frames, "picture") + before + ")");
+  if (labels_) files.push_back(options_.labels + " (labels of " + counted(frames, "frame") + before + ")");
+  return files;
 }
 
 }  // namespace throng::app

@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/output/label_files.h"
 #include "app/output/output_folder.h"
-#include "app/output/progress.h"
 #include "app/output/video_file.h"
 #include "app/output/workers.h"
 #include "app/settings/settings.h"
@@ -21,7 +21,7 @@ namespace throng::app {
 Status check_output(const OutputOptions& options);
 
 /// Returns how many frames a run has: as options ask; else to the end of a recorded crowd that is written. Returns 0
-/// where the rows of a live crowd still come, since their number is unknown.
+/// where the rows of a live crowd still come, or a recording says it, since their number is unknown.
 int frames_of_run(const DemoOptions& options, const Show& show);
 
 /// Writes a video, pictures and labels of each frame of a run. Drawing goes on while frames are encoded. A frame whose
@@ -39,20 +39,21 @@ class Output {
   Status take(Show& show, int frame);
   /// Returns whether the show's picture is of the last frame.
   bool drew_last() const { return drew_last_; }
-  /// Waits until all is written, ends the video, and lists the files in one line. Errors: a file could not be written.
+  /// Waits until all is written, and ends the video. Errors: a file could not be written.
   Status finish();
+  /// Lists what is written: "crowd.mp4 (1.0 s of video, 2.1 MB)", "pictures (60 pictures)".
+  std::vector<std::string> written() const;
 
  private:
   using SharedImage = std::shared_ptr<const render::Image>;
 
-  Output(const DemoOptions& options, int frames);
+  explicit Output(const DemoOptions& options);
   Status open_files(const DemoOptions& options, const Show& show);
   bool is_there(int frame) const;
   Status draw(Show& show, int frame);
   Status keep_image(Show& show, int frame);
   Status use_again(int frame);
   Status add_to_video(SharedImage image);
-  std::string summary() const;
 
   OutputOptions options_;
   std::function<Status(Show& show)> draw_over_;  // may be empty
@@ -61,8 +62,7 @@ class Output {
   std::unique_ptr<LabelFiles> labels_;
   std::unique_ptr<VideoFile> video_;
   int frames_ = 0, kept_ = 0;
-  bool drew_last_ = false;  // in colour
-  Progress progress_;
+  bool drew_last_ = false;                            // in colour
   std::optional<Workers> encoder_, picture_writers_;  // go first, as they use all members
 };
 

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "app/files/progress_line.h"
 #include "engine/base/text/joined.h"
 
 namespace throng::app {
@@ -26,22 +25,10 @@ std::string progress_text(int frame, int frames, double seconds) {
   return text;
 }
 
-Progress::Progress(int frames) : frames_(frames) {}
-
-Progress::~Progress() { end(); }
-
 void Progress::show(int frame) {
-  constexpr std::chrono::milliseconds least_pause(250);
-  const Clock::time_point now = Clock::now();
-  if (now - told_ < least_pause) return;
-  told_ = now;
-  has_line_ = true;
-  show_progress(progress_text(frame, frames_, seconds()));
-}
-
-void Progress::end() {
-  if (has_line_) show_progress("");
-  has_line_ = false;
+  frame_ = frame;
+  if (!bar_.is_there()) return;
+  bar_.show(frames_ > 0 ? static_cast<double>(frame) / frames_ : -1, progress_text(frame, frames_, seconds()));
 }
 
 }  // namespace throng::app

@@ -3,28 +3,29 @@
 #include <chrono>
 #include <string>
 
+#include "app/files/progress_bar.h"
+
 namespace throng::app {
 
-/// Shows on a terminal how far a run is and how long it goes on, a few times a second. Elsewhere it shows nothing.
+/// Counts the frames of a run without a window. On a terminal it shows how far the run is and how long it goes on, once
+/// that takes longer than `not_long`. Elsewhere it shows nothing.
 class Progress {
  public:
-  using Clock = std::chrono::steady_clock;
-
   /// `frames` is the length of the run; 0 where it is not known.
-  explicit Progress(int frames);
-  ~Progress();
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
+  explicit Progress(int frames, std::chrono::milliseconds not_long = std::chrono::seconds(2))
+      : frames_(frames), bar_(not_long) {}
 
   void show(int frame);
   /// Clears the line, for other output.
-  void end();
-  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  void end() { bar_.show(0, ""); }
+  /// Returns the frame that was shown last.
+  int frame() const { return frame_; }
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
  private:
-  int frames_;
-  bool has_line_ = false;
-  Clock::time_point start_ = Clock::now(), told_ = start_;
+  int frames_, frame_ = 0;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  ProgressBar bar_;
 };
 
 /// Returns "frame 30 of 600, 2.4 a second, 3 min 58 s left".

@@ -9,8 +9,8 @@
 #include "app/character/source.h"
 #include "app/files/exit_status.h"
 #include "app/files/nearest_names.h"
+#include "app/files/progress_bar.h"
 #include "app/files/progress_line.h"
-#include "app/files/start_line.h"
 #include "app/show/camera/fly_camera.h"
 #include "app/show/lod/tuned_view.h"
 #include "app/show/show_parts.h"
@@ -85,7 +85,7 @@ bool begin_tracks(Stage& stage, const DemoOptions& options, StartError& error) {
   return true;
 }
 
-bool open_stage(ShowParts& show, std::vector<CharacterSource> characters, const DemoOptions& options, StartLine& line,
+bool open_stage(ShowParts& show, std::vector<CharacterSource> characters, const DemoOptions& options, ProgressBar& line,
                 StartError& error) {
   Tuning tuning = with_choices(options.tuning, show.painter->device_choices());
   std::shared_ptr<const Trajectories> trajectories = show.live != nullptr ? show.live->trajectories() : nullptr;
@@ -179,7 +179,7 @@ std::unique_ptr<Show> open_show(const DemoOptions& options, StartError& error, s
   parts->models = {.options = load_options(options), .data = options.data, .left_out = {}};
   StartTimes& times = parts->figures.start();
   StopWatch watch;
-  StartLine line;
+  ProgressBar line;
   line.show(0, "reading characters");
   auto cast = load_starting_characters(
       options, error, [&line](double share, const std::string& what) { line.show(share_of_characters * share, what); });

@@ -6,10 +6,12 @@
 #include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/files/exit_status.h"
 #include "app/files/progress_line.h"
 #include "app/output/output.h"
+#include "app/output/progress.h"
 #include "app/output/regression/origin.h"
 #include "app/settings/user_settings.h"
 #include "app/show/opened_show.h"
@@ -24,6 +26,7 @@
 #include "app/window/window_loop.h"
 #include "engine/base/files/output_file.h"
 #include "engine/base/files/process.h"
+#include "engine/base/text/joined.h"
 #include "engine/tracks/live/live_tracks.h"
 
 namespace throng::app {
@@ -67,19 +70,20 @@ Status draw_one_of_all(Show& show, Output* output, int frame) {
   return output != nullptr ? output->take(show, frame) : show.draw();
 }
 
-Status run_replay(Show& show, const DemoOptions& options, Replay& replay, Output* output) {
+Status run_replay(Show& show, const DemoOptions& options, Replay& replay, Output* output, Progress& progress) {
   const DrawWhich which = show.painter().draws() ? drawn_frames(options) : DrawWhich::none;
   for (int frame = 1; asked_to_stop() == 0 && (!options.frames_given || frame <= options.frames); ++frame) {
     const Result<bool> repeated = replay.step(show);
     if (!repeated) return repeated.error();
     if (!*repeated) break;
+    progress.show(frame);
     if (which != DrawWhich::all) continue;
     if (Status drawn = draw_one_of_all(show, output, frame); !drawn) return drawn;
   }
   return which == DrawWhich::last ? show.draw() : Done{};
 }
 
-Status run_frames(Show& show, const DemoOptions& options, Output* output) {
+Status run_frames(Show& show, const DemoOptions& options, Output* output, Progress& progress) {
   const Ticks step = to_ticks(options.dt.value_or(usual_frame_seconds));
   const DrawWhich which = drawn_frames(options);
   const int frames = frames_of_run(options, show);
@@ -88,6 +92,7 @@ Status run_frames(Show& show, const DemoOptions& options, Output* output) {
     while (asked_to_stop() == 0 && !show.has_rows_for(step, std::chrono::milliseconds(100))) {
     }
     show.animate(step);
+    progress.show(frame);
     const LiveCrowd* const live = show.live();
     last = frame == frames || asked_to_stop() != 0 || (live != nullptr && live->has_ended());
     report_once(show.recorder().outcome(), reported);
@@ -104,7 +109,14 @@ Status finish_output(Show& show, const DemoOptions& options, Output* output) {
   return options.screenshot.empty() || output->drew_last() ? Done{} : show.draw();
 }
 
-Status run_headless(Show& show, const DemoOptions& options, Replay* replay) {
+/// Tells what a run without a window did.
+struct Account {
+  int frames = 0;
+  double seconds = 0;
+  std::vector<std::string> written;  ///< video, pictures and labels
+};
+
+Status run_headless(Show& show, const DemoOptions& options, Replay* replay, Account& account) {
   if (options.ui) show.view().free.right = 1.0F - column_share(options.width, options.ui_scale);
   const bool has_overlay = (options.ui || options.legend) && show.painter().draws();
   DrawnOverlay overlay(options);
@@ -115,10 +127,13 @@ Status run_headless(Show& show, const DemoOptions& options, Replay* replay) {
     output = std::move(*begun);
     if (has_overlay) output->draw_over_pictures([&overlay](Show& drawn) { return overlay.draw(drawn); });
   }
-  Status run =
-      replay != nullptr ? run_replay(show, options, *replay, output.get()) : run_frames(show, options, output.get());
+  Progress progress(frames_of_run(options, show));
+  Status run = replay != nullptr ? run_replay(show, options, *replay, output.get(), progress)
+                                 : run_frames(show, options, output.get(), progress);
   if (!run) return run;
   if (Status finished = finish_output(show, options, output.get()); !finished) return finished;
+  progress.end();
+  account = {progress.frame(), progress.seconds(), output != nullptr ? output->written() : std::vector<std::string>()};
   const LiveCrowd* const live = show.live();
   if (live != nullptr && !live->status()) return Error{live->status().error().message};
   if (!has_overlay || drawn_frames(options) == DrawWhich::none) return Done{};
@@ -127,7 +142,7 @@ Status run_headless(Show& show, const DemoOptions& options, Replay* replay) {
   return overlay.write_map();
 }
 
-Status run_and_record(Show& show, const DemoOptions& options, Replay* replay) {
+Status run_and_record(Show& show, const DemoOptions& options, Replay* replay, Account& account) {
   if (!options.record.empty()) {
     if (Status started = show.start_recording(options.record); !started) return started;
   }
@@ -139,13 +154,13 @@ Status run_and_record(Show& show, const DemoOptions& options, Replay* replay) {
     if (!selected) return selected;
   }
   const bool window = options.context == ContextKind::window;
-  return window ? run_window(show, options, replay) : run_headless(show, options, replay);
+  return window ? run_window(show, options, replay) : run_headless(show, options, replay, account);
 }
 
 /// Runs the demo, and makes an error of an exception, so that all that the run has written is kept.
-Status run_in_words(Show& show, const DemoOptions& options, Replay* replay) {
+Status run_in_words(Show& show, const DemoOptions& options, Replay* replay, Account& account) {
   try {
-    return run_and_record(show, options, replay);
+    return run_and_record(show, options, replay, account);
   } catch (...) {
     return Error{std::string(sentence_of_failure())};
   }
@@ -162,6 +177,19 @@ Status say_what_was_repeated(const Replay& replay, const DemoOptions& options) {
 void say_on_stderr(const std::string& notice) {
   std::istringstream lines(notice);
   for (std::string line; std::getline(lines, line);) end_with(exit_done, line);
+}
+
+// Says on stderr, in one line, how many frames a run without a window had and each file and folder that it wrote.
+void say_what_was_written(const DemoOptions& options, const Account& account) {
+  std::vector<std::string> files;
+  for (const std::string& file : {options.screenshot, options.stats, options.trace, options.record, options.ui_map}) {
+    if (!file.empty() && file != "-") files.push_back(file);
+  }
+  files.insert(files.end(), account.written.begin(), account.written.end());
+  std::string line = counted(static_cast<std::size_t>(account.frames), "frame") + " in " + time_text(account.seconds);
+  if (!files.empty()) line += "; wrote " + joined(files, ", ", " and ");
+  if (files.empty() && options.stats.empty()) line += "; no option named a file to write";
+  end_with(exit_done, line);
 }
 
 /// Begins to read the rows of a live crowd from standard input, and waits for the first, or until a signal asks the run
@@ -185,11 +213,15 @@ int run_show(const DemoOptions& options, Replay* replay) {
   if (!live) return report(live.error()), asked_to_stop() == 0 ? exit_job_failed : exit_of_signal(asked_to_stop());
   const std::unique_ptr<Show> show = open_show(options, error, std::move(*live));
   if (show == nullptr) return end_with(static_cast<ExitStatus>(error.status), error.message);
-  const bool ran = report(run_in_words(*show, options, replay));
+  Account account;
+  const bool ran = report(run_in_words(*show, options, replay, account));
   const bool recorded = report(show->stop_recording());
   if (!ran || !write_results(*show, options) || !recorded) return exit_job_failed;
   if (replay != nullptr && !report(say_what_was_repeated(*replay, options))) return exit_job_failed;
-  if (options.context != ContextKind::window) say_on_stderr(show->notice());
+  if (options.context != ContextKind::window) {
+    say_on_stderr(show->notice());
+    say_what_was_written(options, account);
+  }
   return asked_to_stop() == 0 ? static_cast<int>(exit_done) : exit_of_signal(asked_to_stop());
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/app/files/terminal.h"
+
 namespace throng::app::progress_test {
 namespace {
 
@@ -16,6 +18,15 @@ TEST(ProgressOfARun, HasTimesForPeople) {
   EXPECT_EQ(time_text(38.4), "38 s");
   EXPECT_EQ(time_text(238), "3 min 58 s");
   EXPECT_EQ(time_text(7500), "2 h 5 min");
+}
+
+TEST(ProgressOfARun, HasABarOnATerminalWhileTheRunTakesLong) {
+  const Terminal terminal;
+  if (!terminal.is_there()) GTEST_SKIP() << "this system gives no terminal";
+  Progress progress(4, std::chrono::milliseconds(0));
+  progress.show(1);
+  EXPECT_NE(terminal.read_until("frame 1").find("[=====               ] frame 1"), std::string::npos);
+  EXPECT_EQ(progress.frame(), 1);
 }
 
 TEST(ProgressOfARun, SaysNothingWithoutATerminal) {

@@ -1,15 +1,13 @@
-#include "app/files/start_line.h"
+#pragma once
 
 #include <cstdlib>
 #include <string>
 
 #include <fcntl.h>
-#include <gtest/gtest.h>
 #include <poll.h>
 #include <unistd.h>
 
-namespace throng::app::start_line_test {
-namespace {
+namespace throng::app {
 
 /// A terminal in the place of standard error.
 class Terminal {
@@ -47,28 +45,4 @@ class Terminal {
   int terminal_, before_, program_ = -1;
 };
 
-TEST(StartLine, HasABarAndSaysWhatComesNow) {
-  EXPECT_EQ(bar_text(0, "reading"), "[                    ] reading");
-  EXPECT_EQ(bar_text(0.5, "Knight.glb, 38 of 76 clips"), "[==========          ] Knight.glb, 38 of 76 clips");
-  EXPECT_EQ(bar_text(1.2, "done"), "[====================] done");
-}
-
-TEST(StartLine, IsShownOnATerminalAndTakenAway) {
-  const Terminal terminal;
-  if (!terminal.is_there()) GTEST_SKIP() << "this system gives no terminal";
-  {
-    StartLine line;
-    line.show(0.25, "placing 100,000 agents");
-    EXPECT_NE(terminal.read_until("agents").find("[=====               ] placing 100,000 agents"), std::string::npos);
-  }
-  EXPECT_NE(terminal.read_until("\033[K").find("\r\033[K"), std::string::npos);
-}
-
-TEST(StartLine, ShowsNothingWhereThereIsNoTerminal) {
-  testing::internal::CaptureStderr();
-  { StartLine().show(0.5, "reading"); }
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-}
-
-}  // namespace
-}  // namespace throng::app::start_line_test
+}  // namespace throng::app

@@ -1,4 +1,4 @@
-#include "app/files/start_line.h"
+#include "app/files/progress_bar.h"
 
 #include <algorithm>
 #include <chrono>
@@ -11,26 +11,27 @@
 namespace throng::app {
 namespace {
 
-constexpr std::chrono::milliseconds not_long(500), pause(100);
+constexpr std::chrono::milliseconds pause(100);
 
 }  // namespace
 
 std::string bar_text(double share, const std::string& what) {
+  if (share < 0) return what;
   constexpr long width = 20;
   const auto done = static_cast<std::size_t>(std::clamp(std::lround(share * width), 0L, width));
   return "[" + std::string(done, '=') + std::string(width - done, ' ') + "] " + what;
 }
 
-// A thread shows the line, because the work may take long from one show() to the next.
-StartLine::StartLine() {
+// A thread shows the bar, because the work may take long from one show() to the next.
+ProgressBar::ProgressBar(std::chrono::milliseconds not_long) {
   if (!shows_progress()) return;
   try {
-    shows_ = std::thread([this] { show(); });
-  } catch (const std::system_error&) {  // no more threads: the start goes on without a line
+    shows_ = std::thread([this, not_long] { show_after(not_long); });
+  } catch (const std::system_error&) {  // no more threads: the work goes on without a bar
   }
 }
 
-StartLine::~StartLine() {
+ProgressBar::~ProgressBar() {
   if (!shows_.joinable()) return;
   {
     const std::scoped_lock lock(mutex_);
@@ -40,7 +41,7 @@ StartLine::~StartLine() {
   shows_.join();
 }
 
-void StartLine::show(double share, std::string what) {
+void ProgressBar::show(double share, std::string what) {
   const std::scoped_lock lock(mutex_);
   share_ = share;
   what_ = std::move(what);
@@ -48,7 +49,7 @@ void StartLine::show(double share, std::string what) {
   is_shown_ = is_shown_ && !what_.empty();
 }
 
-void StartLine::show() {
+void ProgressBar::show_after(std::chrono::milliseconds not_long) {
   std::unique_lock lock(mutex_);
   for (auto wait = not_long; !ended_.wait_for(lock, wait, [this] { return has_ended_; }); wait = pause) {
     if (what_.empty()) continue;

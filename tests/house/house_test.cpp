@@ -111,6 +111,13 @@ TEST(House, EveryLinkLeadsSomewhere) {
       IsEmpty());
 }
 
+TEST(House, EveryFileToTryOfTheFirstPageIsThere) {
+  EXPECT_THAT(
+      files_to_try_that_are_missing(
+          project(), [](const std::string& path) { return std::filesystem::exists(THRONG_SOURCE_DIR "/" + path); }),
+      IsEmpty());
+}
+
 TEST(House, EverythingThatThePaperAsksForHasAFileAndATest) {
   EXPECT_THAT(paper_rows_without_file_or_test(project()), IsEmpty());
 }

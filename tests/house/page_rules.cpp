@@ -101,4 +101,19 @@ Findings links_that_lead_nowhere(const Tree& tree, const std::function<bool(cons
   return findings;
 }
 
+Findings files_to_try_that_are_missing(const Tree& tree, const std::function<bool(const std::string&)>& exists) {
+  static const std::regex named(R"([\w/.-]*[a-z]\.(glb|gltf|txt|wkt|sqlite|throng)\b)");
+  Findings findings;
+  for (const SourceFile& file : tree) {
+    if (file.path != "README.md") continue;
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      const std::string& line = file.lines[i];
+      for (std::sregex_iterator match(line.begin(), line.end(), named), end; match != end; ++match) {
+        if (!exists(match->str())) findings.push_back(line_finding(file, i + 1, "there is no " + match->str()));
+      }
+    }
+  }
+  return findings;
+}
+
 }  // namespace throng::house

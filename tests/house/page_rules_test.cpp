@@ -30,6 +30,16 @@ TEST(FirstPage, HasAtMost180LinesOf120Characters) {
   EXPECT_THAT(first_page_too_large(page(1, std::string(121, 'a'))), ElementsAre(StartsWith("README.md:1:")));
 }
 
+TEST(FirstPage, NamesNoFileToReadThatIsMissing) {
+  const auto missing = [](const std::string& line) {
+    return files_to_try_that_are_missing(Tree{source_file("README.md", line + "\n")},
+                                         [](const std::string& path) { return path == "assets/a.glb"; });
+  };
+  EXPECT_THAT(missing("`throng assets/a.glb*3` and `throng MODEL.glb --screenshot a.png`"), IsEmpty());
+  EXPECT_THAT(missing("`throng fox.glb --trajectories b/walk.txt`"),
+              ElementsAre("README.md:1: there is no fox.glb", "README.md:1: there is no b/walk.txt"));
+}
+
 TEST(Link, LeadsToAFileOrAFolder) {
   EXPECT_THAT(broken_links("[lod](lod)\n"), IsEmpty());
   EXPECT_THAT(broken_links("# App\n\n[a](attic) and ![b](lod.png)\n"),

@@ -38,7 +38,11 @@ RunFiles files_of(const PoseOptions& options) {
   return files;
 }
 
-RunFiles files_of(const InspectOptions& options) { return reading({&options.model, 1}, options.clips_from); }
+RunFiles files_of(const InspectOptions& options) {
+  RunFiles files = reading({&options.model, 1}, options.clips_from);
+  files.written = {{"--measures", options.measures}};
+  return files;
+}
 
 RunFiles files_of(const LodOptions& options) {
   RunFiles files = reading({&options.model, 1}, {});

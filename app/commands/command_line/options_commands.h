@@ -38,6 +38,8 @@ std::optional<std::string> settle_output(const OptionReader& reader, DemoOptions
 
 /// Adds the options that say how a file of trajectories is read.
 void declare_track_reading(OptionReader& reader, TrackReading& reading);
+/// Adds the option that names a part of a recorded crowd's time.
+void declare_track_part(OptionReader& reader, const char* help, std::optional<std::pair<double, double>>& part);
 /// Adds the options of a recorded crowd.
 void declare_trajectories(OptionReader& reader, DemoOptions& options);
 /// Makes the scene `tracks`, if a recorded crowd is named. `--up` is the crowd's where it has the crowd's name, or no

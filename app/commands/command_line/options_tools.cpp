@@ -72,8 +72,21 @@ ParsedCommand parse_inspect(const std::vector<std::string>& arguments) {
   declare_placement(reader, options.placement);
   reader.option_defaults()->group("How trajectories are read");
   declare_track_reading(reader, options.tracks);
-  reader.footer("Examples:\n  throng inspect fox.glb --strict\n  throng inspect walk.csv --unit cm --fps 16");
+  reader.option_defaults()->group("What trajectories are measured for");
+  reader.value("--measures", "FILE.csv",
+               "Write place, speed and density of each person at each row, with PedPy's columns",
+               file_that_ends_in(".csv", options.measures));
+  declare_track_part(reader, "Write this part of its clock only (all of it)", options.part);
+  reader.value("--cut-off", "METRES", "How far a person's own ground reaches at most, for the density, 0.1 to 10 (1)",
+               number_between(options.cut_off.emplace(Tuning().density_cut_off), 0.1F, 10.0F));
+  reader.footer(
+      "Examples:\n  throng inspect fox.glb --strict\n  throng inspect walk.csv --unit cm --fps 16 --measures "
+      "people.csv");
   if (auto stop = reader.read(arguments)) return *stop;
+  for (const char* const option : {"--track-part", "--cut-off"}) {
+    if (options.measures.empty() && reader.given(option))
+      return UsageError{std::string(option) + ": goes with --measures"};
+  }
   options.tracks.up = options.placement.up == anim::UpAxis::y && reader.given("--up") ? TrackUp::y : TrackUp::z;
   return options;
 }

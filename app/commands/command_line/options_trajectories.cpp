@@ -87,6 +87,10 @@ void declare_track_reading(OptionReader& reader, TrackReading& reading) {
   reader.flag("--lenient", reading.lenient, "Skip rows that are wrong, and count them");
 }
 
+void declare_track_part(OptionReader& reader, const char* help, std::optional<std::pair<double, double>>& part) {
+  reader.value("--track-part", "T,T", help, track_part(part));
+}
+
 void declare_trajectories(OptionReader& reader, DemoOptions& options) {
   reader.option_defaults()->group("Trajectories: a recorded or simulated crowd");
   reader.value(
@@ -99,8 +103,8 @@ void declare_trajectories(OptionReader& reader, DemoOptions& options) {
                real_number(options.trajectories.start, -farthest_time, farthest_time));
   reader.value("--track-rate", "X", "Seconds of its clock a second, -100 to 100; below 0: backwards (1)",
                track_rate(options.trajectories.rate));
-  reader.value("--track-part", "T,T", "Play from one to the other second of its clock only (all of it)",
-               track_part(options.trajectories.part));
+  declare_track_part(reader, "Play from one to the other second of its clock only (all of it)",
+                     options.trajectories.part);
   reader.flag("--track-repeat", options.trajectories.repeats,
               "Begin anew at the end of the part (a window does; without one: stay there)");
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/anim/import/import.h"
@@ -15,8 +17,11 @@ struct InspectOptions {
   std::vector<std::string> clips_from;   ///< files whose clips are added to the largest model
   anim::PlacementChoice placement = {};  ///< size and place of all models; what it leaves open is guessed
   import::ImportOptions reading{};
-  TrackReading tracks{};  ///< of a file of trajectories
-  bool json = false;      ///< one JSON object on standard output instead of tables for a person
+  TrackReading tracks{};                               ///< of a file of trajectories
+  std::string measures = {};                           ///< a table of the people of trajectories; empty: none
+  std::optional<std::pair<double, double>> part = {};  ///< seconds of the file's clock in the table; unset: all
+  std::optional<float> cut_off = {};                   ///< Tuning::density_cut_off; unset: as the demo has it
+  bool json = false;  ///< one JSON object on standard output instead of tables for a person
 };
 
 /// Runs `throng inspect`. Returns the exit status; a file that is refused gives one line on stderr.

@@ -1,8 +1,15 @@
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "app/commands/inspect/report.h"
 #include "engine/base/json/json.h"
+#include "tests/app/program_run.h"
+#include "tests/app/temporary_folder.h"
 #include "tests/tracks/track_file.h"
 
 namespace throng::app::tracks_report_test {
@@ -34,6 +41,33 @@ TEST(TracksReport, SaysTheSameAsJson) {
   EXPECT_EQ((*json)["report"].elements()[0]["kind"].get<std::string>(), "duplicate");
   EXPECT_TRUE((*json)["stature_m"].is_null());
   EXPECT_EQ((*json)["plan"]["floors"].get<int>(), 0);
+}
+
+class MeasuresOfTracks : public test::TemporaryFolder {
+ protected:
+  const std::string crossing_ = THRONG_SOURCE_DIR "/assets/samples/crossing.txt";
+};
+
+TEST_F(MeasuresOfTracks, AreWrittenOfThePartThatIsNamed) {
+  const std::string table = folder_ / "people.csv";
+  const ProgramRun run = run_program({"inspect", crossing_, "--measures", table, "--track-part", "6,5"});
+  EXPECT_EQ(run.exit_status, 0);
+  EXPECT_EQ(run.errors, "throng: wrote " + table + "\n");
+  std::ostringstream text;
+  text << std::ifstream(table).rdbuf();
+  EXPECT_THAT(text.str(), testing::StartsWith("id,frame,time,x,y,speed,density\n1,50,5.000,-2.1220,-1.4310,"));
+  EXPECT_THAT(text.str(), HasSubstr("\n1,60,6.000,"));
+  EXPECT_EQ(text.str().find("\n1,61,"), std::string::npos);
+}
+
+TEST_F(MeasuresOfTracks, AreRefusedOfAnEmptyPartAndOfAModel) {
+  const std::string table = folder_ / "people.csv", model = THRONG_SOURCE_DIR "/assets/samples/robot.glb";
+  EXPECT_THAT(run_program({"inspect", crossing_, "--measures", table, "--track-part", "50,60"}).errors,
+              HasSubstr("--track-part: " + crossing_ + " has rows from 0.00 to 19.70 s of its clock\n"));
+  EXPECT_THAT(run_program({"inspect", model, "--measures", table}).errors, HasSubstr(" is no file of trajectories; "));
+  EXPECT_THAT(run_program({"inspect", crossing_, "--cut-off", "1"}).errors,
+              HasSubstr("--cut-off: goes with --measures"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
 }  // namespace

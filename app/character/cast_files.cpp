@@ -52,8 +52,6 @@ std::string ending_of(const fs::path& file) {
   return ending;
 }
 
-bool is_model(const fs::path& file) { return std::ranges::find(model_endings, ending_of(file)) != model_endings.end(); }
-
 // Packs beside other files were baked of them, so their characters would be cast twice.
 void leave_out_packs_of_others(std::vector<std::string>& files) {
   const auto is_packed = [](const std::string& file) { return ending_of(file) == pack_ending; };
@@ -71,7 +69,7 @@ Result<std::vector<std::string>> models_in(const std::string& folder) {
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
     const bool is_hidden = entry->path().filename().string().starts_with('.');
-    if (!is_hidden && is_model(entry->path()) && !is_folder(entry->path().string())) {
+    if (!is_hidden && is_model_file(entry->path()) && !is_folder(entry->path().string())) {
       files.push_back(entry->path().string());
     }
   }
@@ -322,6 +320,8 @@ class CastLoader {
 };
 
 }  // namespace
+
+bool is_model_file(const fs::path& file) { return std::ranges::count(model_endings, ending_of(file)) > 0; }
 
 Status check_extent(const CharacterSource& character, const std::string& path) {
   constexpr double least = 1e-9, most = 1e9;  // metres, by which agents are spaced and cameras placed

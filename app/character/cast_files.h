@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +15,9 @@ struct LoadedCast {
   std::vector<CharacterSource> characters;  ///< 1 to most_models
   std::vector<std::string> left_out;        ///< a sentence for each file of a folder that cannot be used
 };
+
+/// Returns whether a file has the ending of a model or of a pack.
+bool is_model_file(const std::filesystem::path& file);
 
 /// Loads the characters of all entries, in this order, and reads each file once. A folder stands for the models in it,
 /// by name and not in folders below it; a model of clips alone gives them to the others whose bones they fit. A skin

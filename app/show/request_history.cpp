@@ -94,13 +94,16 @@ CrowdRequest as_made(const CrowdRequest& request, const Stage& stage) {
   return brings_characters(request) ? SetCast{exactly(stage.people())} : request;
 }
 
+void RequestHistory::add(Step step) {
+  steps_.resize(made_);
+  if (steps_.size() == most_steps) steps_.erase(steps_.begin());
+  steps_.push_back(std::move(step));
+  made_ = steps_.size();
+}
+
 void RequestHistory::add(CrowdRequest made, CrowdRequest answer, std::uint64_t change) {
   steps_.resize(made_);
-  if (steps_.empty() || steps_.back().change != change) {
-    if (steps_.size() == most_steps) steps_.erase(steps_.begin());
-    steps_.push_back({.change = change, .back = {}, .forth = {}});
-    made_ = steps_.size();
-  }
+  if (steps_.empty() || steps_.back().change != change) add(Step{.change = change});
   Step& step = steps_.back();
   if (!step.forth.empty() && stands_for(made, step.forth.back())) {
     step.forth.back() = std::move(made);

@@ -2,14 +2,22 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "app/show/request/request.h"
 
+namespace throng {
+struct Trajectories;
+}
+
 namespace throng::app {
 
 class Stage;
+
+/// A recorded crowd; null: none.
+using ShownTracks = std::shared_ptr<const Trajectories>;
 
 /// Returns the request that takes another one back, which is not made yet; nothing for a request that passes, such as a
 /// push. `tuning` has the values in use.
@@ -31,12 +39,17 @@ class RequestHistory {
   /// What a person did in one go, such as a drag.
   struct Step {
     std::uint64_t change = 0;
-    std::vector<CrowdRequest> back, forth;  ///< in the order in which they are to be made
+    std::vector<CrowdRequest> back = {}, forth = {};  ///< in the order in which they are to be made
+    ShownTracks tracks_back = {}, tracks_forth = {};  ///< to be shown before that; null: there is none to be
   };
 
   /// Adds a request that was made, and its answer. Requests of one `change` are one step; where it repeats a request
   /// with other values, the last one counts. Steps that were taken back are forgotten.
   void add(CrowdRequest made, CrowdRequest answer, std::uint64_t change);
+
+  /// Adds a step of its own: a recorded crowd, which takes the place of another. Its requests have been made, and take
+  /// back, with the crowds shown.
+  void add(Step step);
 
   /// Returns the step that can be taken back, or made again; null where there is none.
   const Step* last() const { return made_ > 0 ? &steps_[made_ - 1] : nullptr; }

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <chrono>
 #include <optional>
+#include <utility>
 
+#include "app/people/crowd/crowd.h"
 #include "app/show/show.h"
 #include "app/show/stage/stage.h"
 #include "app/window/frame_reporter.h"
 #include "engine/base/text/joined.h"
+#include "engine/tracks/trajectories.h"
 
 namespace throng::app {
 namespace {
@@ -88,14 +91,36 @@ bool CrowdEditor::make_all(const std::vector<CrowdRequest>& requests) {
   });
 }
 
+bool CrowdEditor::show_tracks(const ShownTracks& tracks) {
+  if (tracks == nullptr) return true;
+  if (!reporter_.messages().report(show_.replace_trajectories(tracks))) return false;
+  follow();
+  reporter_.describe_characters(show_);
+  return true;
+}
+
+bool CrowdEditor::take(const ShownTracks& tracks) {
+  const Stage& stage = show_.stage();
+  RequestHistory::Step step{
+      .change = change_++, .back = {Apply{tuning_}}, .tracks_back = stage.trajectories(), .tracks_forth = tracks};
+  if (stage.crowd().tracks() != nullptr) step.back.emplace_back(Seek{stage.crowd().tracks()->clock()});
+  if (!show_tracks(tracks)) return false;
+  step.forth = {Apply{tuning_}};
+  const bool comes_back = step.tracks_back == nullptr || !step.tracks_back->is_live;
+  if (comes_back) history_.add(std::move(step));
+  return true;
+}
+
 void CrowdEditor::undo() {
-  if (history_.last() == nullptr) return reporter_.messages().say("There is nothing to take back.");
-  if (history_.last() != nullptr && make_all(history_.last()->back)) history_.took_back();
+  const RequestHistory::Step* const step = history_.last();
+  if (step == nullptr) return reporter_.messages().say("There is nothing to take back.");
+  if (show_tracks(step->tracks_back) && make_all(step->back)) history_.took_back();
 }
 
 void CrowdEditor::redo() {
-  if (history_.next() == nullptr) return reporter_.messages().say("There is nothing to make again.");
-  if (history_.next() != nullptr && make_all(history_.next()->forth)) history_.made_again();
+  const RequestHistory::Step* const step = history_.next();
+  if (step == nullptr) return reporter_.messages().say("There is nothing to make again.");
+  if (show_tracks(step->tracks_forth) && make_all(step->forth)) history_.made_again();
 }
 
 bool CrowdEditor::can_undo_bones() const {

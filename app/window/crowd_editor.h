@@ -21,6 +21,9 @@ class CrowdEditor {
   bool take(const CrowdRequest& request, const std::string& file = {});
   /// Takes values that are no step to take back, such as the values of the other of two tunings.
   bool take_in_passing(const Tuning& tuning) { return make(Apply{tuning}); }
+  /// Shows a recorded crowd, and a step back shows what was there. A live crowd that was there does not come back.
+  /// Returns whether it is shown; if not, the person is told why.
+  bool take(const ShownTracks& tracks);
   /// Takes the last change back, or makes it again. The pause is no part of it.
   void undo();
   void redo();
@@ -37,6 +40,7 @@ class CrowdEditor {
  private:
   bool make(const CrowdRequest& request, const std::string& file = {});
   bool make_all(const std::vector<CrowdRequest>& requests);
+  bool show_tracks(const ShownTracks& tracks);
   void say_what_came_of(const CrowdRequest& request, double seconds);
   void say_why_not(const CrowdRequest& request, const std::string& why);
 

@@ -1,10 +1,11 @@
 #include "app/window/dropped_tracks.h"
 
-#include <filesystem>
+#include <algorithm>
 #include <memory>
 #include <utility>
 
 #include "app/show/camera/fly_camera.h"
+#include "app/show/request/openable_files.h"
 #include "app/show/show.h"
 #include "app/show/show_view.h"
 #include "app/show/stage/stage.h"
@@ -16,11 +17,6 @@ namespace {
 
 constexpr int frames_to_say_it = 2;  // one in which it is asked for, one in which the words are drawn
 
-bool are_walls(const std::string& file) {
-  const std::filesystem::path ending = std::filesystem::path(file).extension();
-  return ending == ".wkt" || ending == ".scenario" || ending == ".floor";
-}
-
 /// Files that came together, by their kinds.
 struct Sorted {
   explicit Sorted(std::span<const std::string> files) {
@@ -30,6 +26,13 @@ struct Sorted {
   }
   std::vector<std::string> tracks, walls, others;
 };
+
+// No crowd file has it yet, and nothing of it is the person's yet.
+void begin_work(WindowSession& session) {
+  session.reporter.report().crowd.clear();
+  session.unsaved.keep(session.editor.tuning());
+  session.unsaved.keep(session.crowd_work());
+}
 
 }  // namespace
 
@@ -60,6 +63,7 @@ bool DroppedTracks::takes(const std::vector<std::string>& files, WindowSession& 
   if (!asked) return session.messages().say(asked.error().message, Message::Kind::refused), true;
   if (!*asked) return false;
   next_ = **asked;
+  begins_anew_ = std::ranges::any_of(files, [](const std::string& file) { return is_crowd(file); });
   frames_until_read_ = frames_to_say_it;
   session.messages().say("Reads " + next_.file + (next_.walls.empty() ? "" : " and " + next_.walls) + " ...");
   return true;
@@ -76,11 +80,10 @@ void DroppedTracks::read(WindowSession& session) const {
   if (!tracks) return session.messages().say(tracks.error().message, Message::Kind::refused);
   const std::size_t people = tracks->persons.size();
   Show& show = session.show;
-  const Status shown = show.replace_trajectories(std::make_shared<const Trajectories>(std::move(*tracks)));
-  if (!session.messages().report(shown)) return;
-  session.editor.follow();
+  if (!session.editor.take(std::make_shared<const Trajectories>(std::move(*tracks)))) return;
   session.camera.put(place_of(show.view().camera), show);
-  session.reporter.describe_characters(show);
+  if (begins_anew_) begin_work(session);
+  session.note_recent(next_.file);
   session.messages().say("Opened " + next_.file + ": " + counted_people(people));
 }
 

@@ -33,6 +33,7 @@ class DroppedTracks {
   void read(WindowSession& session) const;
 
   TracksToRead next_;
+  bool begins_anew_ = false;   // it is no matter of walls alone
   int frames_until_read_ = 0;  // 0: nothing is to be read
 };
 

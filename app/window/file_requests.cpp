@@ -56,8 +56,7 @@ void FileRequests::carry_out(const SaveCrowd& asked) {
   setup.pair = overlay_.tuning_pair();
   setup.bookmarks = session_.camera.bookmarks();
   if (!messages().report(write_crowd_file(file, setup), "Wrote " + whole_path(file))) return;
-  session_.unsaved.keep(tuning);
-  if (setup.pair.has_two()) session_.unsaved.keep_other(setup.pair.other());
+  keep(file, setup.pair);
   session_.reporter.report().crowd_names = crowd_names(".");
 }
 
@@ -69,10 +68,19 @@ void FileRequests::open_crowd(const std::filesystem::path& file) {
   if (!session_.editor.take(SetCast{setup->characters}, file.string())) return;
   take(setup->preset);
   take_kept(*setup);
+  keep(file, setup->pair);
   messages().say("Opened " + whole_path(file));
 }
 
 const CharacterSource& FileRequests::character() const { return session_.show.stage().characters()[shown()]; }
+
+void FileRequests::keep(const std::filesystem::path& file, const TuningPair& pair) {
+  session_.unsaved.keep(session_.editor.tuning());
+  if (pair.has_two()) session_.unsaved.keep_other(pair.other());
+  session_.unsaved.keep(session_.crowd_work());
+  session_.reporter.report().crowd = std::filesystem::path(file).replace_extension().string();
+  session_.note_recent(file);
+}
 
 void FileRequests::take_kept(const CrowdSetup& setup) {
   overlay_.tuning_pair() = setup.pair;

@@ -34,6 +34,8 @@ class FileRequests {
   void carry_out(const SaveBones& asked);
   void carry_out(const ExportLod& asked);
   void take(const Preset& preset);
+  /// Notes that this crowd file has all that the person works on.
+  void keep(const std::filesystem::path& file, const TuningPair& pair);
   void say_where(const Result<std::filesystem::path>& written);
   bool dress(const Result<SetRules>& rules);
   CharacterNumber shown() const { return session_.reporter.report().character; }

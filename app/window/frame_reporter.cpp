@@ -117,6 +117,8 @@ void FrameReporter::describe_characters(const Show& show) {
     report_.characters.push_back(character.name);
     report_.cast.push_back({.share = character.roles.share, .starting_share = character.roles.share});
   }
+  const std::span<const CharacterSource> people = show.stage().people();
+  report_.has_built_in_cast = people.size() == 1 && people.front().file.empty();
   describe_character(show, 0);
 }
 

@@ -36,6 +36,7 @@ constexpr std::array known_keys = std::to_array<std::pair<int, Key>>({
     {GLFW_KEY_F, Key::f},
     {GLFW_KEY_G, Key::g},
     {GLFW_KEY_L, Key::l},
+    {GLFW_KEY_O, Key::o},
     {GLFW_KEY_P, Key::p},
     {GLFW_KEY_Q, Key::q},
     {GLFW_KEY_R, Key::r},
@@ -45,9 +46,16 @@ constexpr std::array known_keys = std::to_array<std::pair<int, Key>>({
     {GLFW_KEY_X, Key::x},
     {GLFW_KEY_Y, Key::y},
     {GLFW_KEY_Z, Key::z},
+    {GLFW_KEY_0, Key::digit_0},
+    {GLFW_KEY_KP_0, Key::digit_0},
+    {GLFW_KEY_EQUAL, Key::plus},
+    {GLFW_KEY_KP_ADD, Key::plus},
+    {GLFW_KEY_MINUS, Key::minus},
+    {GLFW_KEY_KP_SUBTRACT, Key::minus},
     {GLFW_KEY_F1, Key::f1},
     {GLFW_KEY_F5, Key::f5},
     {GLFW_KEY_F6, Key::f6},
+    {GLFW_KEY_F11, Key::f11},
     {GLFW_KEY_F12, Key::f12},
     {GLFW_KEY_LEFT_SHIFT, Key::shift},
     {GLFW_KEY_RIGHT_SHIFT, Key::shift},
@@ -140,7 +148,11 @@ const InputFrame& WindowInput::next_frame() {
   return queue_.next_frame();
 }
 
-bool WindowInput::asked_to_close() const { return glfwWindowShouldClose(window_) != 0; }
+bool WindowInput::takes_close() {
+  const bool asked = glfwWindowShouldClose(window_) != GLFW_FALSE;
+  glfwSetWindowShouldClose(window_, GLFW_FALSE);
+  return asked;
+}
 
 Clipboard WindowInput::clipboard() const {
   GLFWwindow* const window = window_;

@@ -18,8 +18,8 @@ class WindowInput {
   /// Polls the window's events and returns the input of this frame, which is valid until the next call.
   const InputFrame& next_frame();
 
-  /// Returns whether the window's close button was pressed.
-  bool asked_to_close() const;
+  /// Returns once whether the window's close button was pressed.
+  bool takes_close();
 
   /// Returns the text clipboard of the window, which is usable as long as the window lives.
   Clipboard clipboard() const;

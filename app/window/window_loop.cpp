@@ -44,6 +44,7 @@ class WindowLoop {
     show.keep_moments();
     if (!options.crowd_file.empty()) take_kept(options.crowd_file);
     overlay_.show_tab(options.ui_tab);
+    session_.unsaved.keep(session_.crowd_work());
   }
 
   Status run() {
@@ -67,7 +68,10 @@ class WindowLoop {
 
   void take_kept(const std::string& crowd_file) {
     const auto setup = read_crowd_file(crowd_file);
-    if (setup) requests_.take_kept(*setup);  // else it has gone since the characters were read
+    if (!setup) return;  // it has gone since the characters were read
+    requests_.take_kept(*setup);
+    session_.reporter.report().crowd = std::filesystem::path(crowd_file).replace_extension().string();
+    session_.note_recent(crowd_file);
   }
 
   // Programs that drive the window wait for this line.
@@ -91,7 +95,8 @@ class WindowLoop {
     reporter.report().can_undo_bones = session_.editor.can_undo_bones();
     reporter.report().given_up = session_.rate.given_up(session_.editor.tuning());
     reporter.report().rate_advice = session_.rate.advice(session_.editor.tuning());
-    const Requests requests = overlay_.build(reporter.report(), session_.shown_values());
+    Requests requests = overlay_.build(reporter.report(), session_.shown_values());
+    if (session_.input.takes_close()) requests.ask(Quit{});
     show.figures().add_overlay(std::chrono::duration<double, std::milli>(Clock::now() - overlay_start).count());
     if (replay_) {
       repeat(requests, seconds);
@@ -112,15 +117,8 @@ class WindowLoop {
     reporter.update(show, session_.camera.place(), frame_ms);
     write_ui_map();
     reporter.messages().report(show.recorder().outcome());
-    done_ = !failed_ || (last_of<Quit>(requests) != nullptr && may_leave()) || session_.input.asked_to_close() ||
-            asked_to_stop() != 0;
-  }
-
-  bool may_leave() {
-    if (replay_ || !session_.unsaved.ask_about(session_.editor.tuning(), overlay_.tuning_pair())) return true;
-    session_.messages().say("The values are in no preset. Esc leaves them behind; the tab Presets keeps them.");
-    overlay_.set_hidden(false);  // which shows the message
-    return false;
+    const bool leaves_replay = replay_ && last_of<Quit>(requests) != nullptr;
+    done_ = !failed_ || leaves_replay || requests_.closes() || asked_to_stop() != 0;
   }
 
   void refuse_drop(const std::string& file) {

@@ -1,12 +1,15 @@
 #include "app/window/window_requests.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/files/whole_path.h"
 #include "app/output/regression/origin.h"
 #include "app/show/painter.h"
 #include "app/show/recording/recorder.h"
 #include "app/show/request/cast_options.h"
+#include "app/show/request/crowd_file.h"
+#include "app/show/request/openable_files.h"
 #include "app/show/show.h"
 #include "app/show/show_view.h"
 #include "app/show/stage/stage.h"
@@ -26,6 +29,15 @@ std::string unused_file(const char* ending, int& number) {
   return file;
 }
 
+/// Returns the crowd that a request opens in place of the one that is shown; nothing where it opens none.
+std::optional<std::string> opened_crowd(const Request& request) {
+  if (const auto* const crowd = as<OpenCrowd>(request)) return crowd->crowd + crowd_file_ending;
+  const auto* const asked = as<OpenFiles>(request);
+  if (asked == nullptr) return std::nullopt;
+  const auto crowd = std::ranges::find_if(asked->files, is_crowd);
+  return crowd == asked->files.end() ? std::nullopt : std::optional(*crowd);
+}
+
 }  // namespace
 
 void WindowRequests::take(const Requests& requests) {
@@ -37,12 +49,36 @@ void WindowRequests::take(const Requests& requests) {
       Tuning other = values->tuning;
       if (other.holds_rate) set_cost(other, cost_of(session_.editor.tuning()));
       session_.editor.take_in_passing(other);  // B takes that back by itself
+    } else if (as<Quit>(request) != nullptr || opened_crowd(request)) {
+      leaving_ = request;
     } else {
-      std::visit([this](const auto& part) { take(part); }, request);
+      take_at_once(request);
     }
   }
+  go_on_leaving();
   if (session_.show.viewer() != nullptr) session_.sweep.stop();  // a crowd that waits costs nothing
   if (!overlay_.is_in_a_change()) session_.editor.end_change();
+}
+
+void WindowRequests::take_at_once(const Request& request) {
+  std::visit([this](const auto& part) { take(part); }, request);
+}
+
+void WindowRequests::go_on_leaving() {
+  if (!leaving_) return;
+  auto parts = session_.unsaved.parts(session_.editor.tuning(), overlay_.tuning_pair(), session_.crowd_work());
+  if (parts.empty()) return carry_out(LeaveUnsaved{});
+  session_.reporter.report().unsaved = {.parts = std::move(parts), .next = opened_crowd(*leaving_).value_or("")};
+}
+
+void WindowRequests::carry_out(const LeaveUnsaved& /*asked*/) {
+  if (leaving_) take_at_once(*leaving_);
+  carry_out(KeepWorking{});
+}
+
+void WindowRequests::carry_out(const KeepWorking& /*asked*/) {
+  leaving_.reset();
+  session_.reporter.report().unsaved.reset();
 }
 
 void WindowRequests::take_after_drawing(const Requests& requests) {
@@ -50,10 +86,13 @@ void WindowRequests::take_after_drawing(const Requests& requests) {
   if (last_of<TakeScreenshot>(requests) != nullptr) take_screenshot();
 }
 
-void WindowRequests::take(const CrowdRequest& request) {
-  const auto* const values = std::get_if<Apply>(&request);
-  if (values == nullptr) return static_cast<void>(session_.editor.take(request));
-  session_.editor.take(Apply{session_.rate.changed(values->tuning, session_.editor.tuning())});
+bool WindowRequests::take(const CrowdRequest& request) {
+  if (const auto* const values = std::get_if<Apply>(&request)) {
+    return session_.editor.take(Apply{session_.rate.changed(values->tuning, session_.editor.tuning())});
+  }
+  if (!session_.editor.take(request)) return false;
+  if (brings_characters(request)) session_.unsaved.keep(session_.crowd_work().characters);
+  return true;
 }
 
 void WindowRequests::take(const WindowRequest& request) {
@@ -82,7 +121,8 @@ void WindowRequests::carry_out(const OpenFiles& asked) {
   if (crowd != files.end()) {
     return messages().say(*crowd + ": a crowd file says who is there; drop it alone", Message::Kind::refused);
   }
-  if (!tracks_.takes(files, session_)) session_.editor.take(LoadModels{files});
+  if (tracks_.takes(files, session_) || !take(LoadModels{files})) return;
+  for (const std::string& file : files) session_.note_recent(file);
 }
 
 void WindowRequests::carry_out(const ToggleRecording& /*asked*/) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,15 +19,19 @@ class WindowRequests {
       : session_(session), overlay_(overlay), files_(session, overlay) {}
 
   void take(const Requests& requests);
+  /// Returns whether the window is to be closed.
+  bool closes() const { return closes_; }
   /// Carries out requests for the picture, once it is drawn.
   void take_after_drawing(const Requests& requests);
   /// Takes the parts of a crowd file that only a window keeps.
   void take_kept(const CrowdSetup& setup) { files_.take_kept(setup); }
 
  private:
-  void take(const CrowdRequest& request);
+  bool take(const CrowdRequest& request);
   void take(const WindowRequest& request);
-  void take(const FrameRequest& /*request*/) {}  // the loop does it
+  void take(const FrameRequest& request) {
+    closes_ |= std::holds_alternative<Quit>(request);
+  }  // the loop does the rest
   void take(const FileRequest& request) { files_.take(request); }
   void take(const CameraRequest& request) { session_.camera.take(request, session_.show); }
   void take(const ViewerRequest& request);
@@ -47,6 +52,10 @@ class WindowRequests {
   void carry_out(const LookAtFrame& asked) { session_.reporter.look_at(asked.frame); }
   void carry_out(const LookAtLastFrames& /*asked*/) { session_.reporter.look_at_last(); }
   void carry_out(const FrameCrowd& /*asked*/) { session_.camera.frame_crowd(session_.show); }
+  void carry_out(const LeaveUnsaved& asked);
+  void carry_out(const KeepWorking& asked);
+  void take_at_once(const Request& request);
+  void go_on_leaving();
   void copy(const std::string& options);
   void take_screenshot();
   Messages& messages() { return session_.messages(); }
@@ -55,6 +64,8 @@ class WindowRequests {
   Overlay& overlay_;
   FileRequests files_;
   DroppedTracks tracks_;
+  std::optional<Request> leaving_;  // waits for the person's answer about unsaved work
+  bool closes_ = false;
   bool shows_b_ = false;  // of two tunings
   int screenshots_ = 0;
   int recordings_ = 0;

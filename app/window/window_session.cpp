@@ -3,9 +3,11 @@
 #include <algorithm>
 
 #include "app/files/exit_status.h"
+#include "app/people/crowd/crowd.h"
 #include "app/settings/user_settings.h"
 #include "app/show/painter.h"
 #include "app/show/show.h"
+#include "app/show/show_view.h"
 #include "app/show/stage/stage.h"
 
 namespace throng::app {
@@ -63,6 +65,27 @@ void WindowSession::keep_settings(glm::ivec2 window_size) const {
   }
   if (settings == before) return;
   if (const Status kept = write_user_settings(file, settings); !kept) end_with(exit_done, kept.error().message);
+}
+
+CrowdWork WindowSession::crowd_work() const {
+  const Stage& stage = show.stage();
+  CrowdWork work{.places = camera.bookmarks()};
+  for (const CharacterSource& person : stage.people()) work.characters.push_back(chosen(person));
+  if (stage.tuning().scene != Scene::tracks || stage.trajectories()->is_live) return work;
+  const bool moves_by_itself = show.view().films || show.view().guide.follows();
+  work.recorded = {.clock = stage.crowd().tracks()->clock(), .camera = {}};
+  if (!moves_by_itself) work.recorded->camera = camera.place();
+  return work;
+}
+
+void WindowSession::note_recent(const std::filesystem::path& file) {
+  constexpr std::size_t most = 10;
+  std::error_code ignored;
+  const std::string name = std::filesystem::absolute(file, ignored).lexically_normal().string();
+  std::vector<std::string>& recent = reporter.report().recent_files;
+  std::erase(recent, name);
+  recent.insert(recent.begin(), name);
+  recent.resize(std::min(recent.size(), most));
 }
 
 // Frames in which no agent was posed, or the exact crowd was, tell nothing.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include <glm/vec2.hpp>
@@ -9,7 +10,7 @@
 #include "app/window/crowd_editor.h"
 #include "app/window/frame_rate_keeper.h"
 #include "app/window/frame_reporter.h"
-#include "app/window/unsaved_values.h"
+#include "app/window/unsaved_work.h"
 #include "app/window/window_camera.h"
 #include "app/window/window_input.h"
 
@@ -30,12 +31,16 @@ struct WindowSession {
   void show_wanted_values(bool exact_crowd);
   /// Leaves the quality and the size of the window to the next one, where a person changed them in this one.
   void keep_settings(glm::ivec2 window_size) const;
+  /// Returns the work of the person that a crowd file holds.
+  CrowdWork crowd_work() const;
+  /// Names a file that was opened or saved among the recent ones.
+  void note_recent(const std::filesystem::path& file);
   /// Adds the cost of the frame that was animated last to the sweep that runs, and reports the sweep.
   void measure_for_sweep();
 
   Show& show;
   const DemoOptions& options;
-  UnsavedValues unsaved;
+  UnsavedWork unsaved;
   WindowInput input;
   WindowCamera camera;
   FrameReporter reporter;

@@ -33,7 +33,9 @@ bool DrivenWindow::is_there() {
 }
 
 std::optional<int> DrivenWindow::end() {
-  xdotool({"key", "Escape", "key", "Escape"});  // the first may only let go of a selection
+  xdotool({"key", "ctrl+q"});
+  const auto asks = wait_for([](const Json& map) { return map["widgets"].contains("unsaved:leave"); });
+  if (asks) xdotool({"key", "l"});  // else it has ended
   return program_->exit_status(deadline());
 }
 

@@ -40,6 +40,7 @@ TEST_F(KeptCrowd, BringsBackBothTuningsAndThePlacesOfTheCamera) {
   click("Forget B");
   wait_for("A alone", [](const Json& map) { return !map["widgets"].contains("badge:pair"); });
   click("Open mine");
+  click("unsaved:leave");
   wait_for_all_of_it();
   start_program({"mine.throng", "--size", "1280x720"});
   wait_for_all_of_it();

@@ -13,20 +13,18 @@ namespace {
 
 constexpr float radians_a_pixel = 0.0035F;
 constexpr float usual_view = 0.7F;  // radians; a camera that sees less turns as much less with each pixel
-constexpr float times_faster = 4, times_slower = 0.25F;
+constexpr float times_faster = 4;
 constexpr float speed_step = 1.2F;  // of the wheel
 
 float axis(const InputFrame& input, Key negative, Key positive) {
-  return static_cast<float>(input.down(positive)) - static_cast<float>(input.down(negative));
+  return static_cast<float>(input.down_alone(positive)) - static_cast<float>(input.down_alone(negative));
 }
 
 glm::vec3 direction(const InputFrame& input) {
   return {axis(input, Key::a, Key::d), axis(input, Key::q, Key::e), axis(input, Key::s, Key::w)};
 }
 
-float hurry(const InputFrame& input) {
-  return (input.down(Key::shift) ? times_faster : 1.0F) * (input.down(Key::control) ? times_slower : 1.0F);
-}
+float hurry(const InputFrame& input) { return input.down(Key::shift) ? times_faster : 1.0F; }
 
 }  // namespace
 

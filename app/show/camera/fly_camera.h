@@ -33,7 +33,8 @@ inline constexpr float lowest_fly_speed = 0.25F, highest_fly_speed = 250, usual_
 bool orbits(const InputFrame& input);
 
 /// W A S D and Q E fly, a drag with the right button looks around, a drag with the middle button, or with Alt and the
-/// left one, turns about a point. The wheel sets the speed, Shift is faster and Ctrl slower.
+/// left one, turns about a point. The wheel sets the speed, and Shift is faster. With Ctrl, Alt or Super held, keys
+/// mean something else and do not fly.
 class FlyCamera {
  public:
   explicit FlyCamera(const CameraPose& place) : camera_(camera_at(place)) {}

@@ -1,6 +1,11 @@
 #include "app/show/camera/input.h"
 
 namespace throng::app {
+namespace {
+
+bool is_modifier(Key key) { return key == Key::shift || key == Key::control || key == Key::alt || key == Key::super; }
+
+}  // namespace
 
 const InputFrame& InputQueue::next_frame() {
   frame_.moved_x = frame_.moved_y = frame_.wheel = 0;
@@ -19,7 +24,7 @@ const InputFrame& InputQueue::next_frame() {
 bool InputQueue::must_wait(const InputEvent& event) const {
   switch (event.kind) {
     case InputEvent::Kind::key:
-      return changed_keys_[static_cast<std::size_t>(event.key)];
+      return changed_keys_[static_cast<std::size_t>(event.key)] || (is_modifier(event.key) && !frame_.pressed.empty());
     case InputEvent::Kind::button:
       return changed_buttons_[static_cast<std::size_t>(event.button)];
     // A click belongs to the place where it happened, so the pointer stays there until the frame has seen it.
@@ -75,7 +80,10 @@ void InputQueue::move_pointer(float x, float y) {
 
 void InputQueue::change_key(Key key, bool down) {
   const auto index = static_cast<std::size_t>(key);
-  if (down && !frame_.keys_down[index]) frame_.pressed.push_back(key);
+  if (down && !frame_.keys_down[index]) {
+    if (!is_modifier(key)) frame_.pressed.push_back(key);
+    frame_.combined[index] = !is_modifier(key) && frame_.combines();
+  }
   frame_.keys_down[index] = down;
   changed_keys_.set(index);
 }

@@ -39,6 +39,7 @@ enum class Key : std::uint8_t {
   f,
   g,
   l,
+  o,
   p,
   q,
   r,
@@ -57,9 +58,13 @@ enum class Key : std::uint8_t {
   digit_7,
   digit_8,
   digit_9,
+  digit_0,
+  plus,
+  minus,
   f1,
   f5,
   f6,
+  f11,
   f12,
   shift,
   control,
@@ -88,13 +93,20 @@ struct InputFrame {
   float wheel = 0;                       ///< steps since the frame before
   std::bitset<static_cast<std::size_t>(MouseButton::count)> buttons_down;
   std::bitset<static_cast<std::size_t>(Key::count)> keys_down;
-  std::vector<Key> pressed;          ///< keys that went down in this frame, in order
+  std::bitset<static_cast<std::size_t>(Key::count)> combined;  ///< keys that went down with Ctrl, Alt or Super held
+  std::vector<Key> pressed;          ///< keys that went down in this frame, in order; never Ctrl, Alt, Shift or Super
   std::u32string characters;         ///< text typed in this frame
   std::vector<std::string> dropped;  ///< files dropped on the window in this frame
 
   [[nodiscard]] bool was_pressed(Key key) const { return std::ranges::count(pressed, key) > 0; }
   [[nodiscard]] bool down(Key key) const { return keys_down[static_cast<std::size_t>(key)]; }
   [[nodiscard]] bool down(MouseButton button) const { return buttons_down[static_cast<std::size_t>(button)]; }
+  /// Returns whether Ctrl, Alt or Super is held, which make another meaning of the keys with them.
+  [[nodiscard]] bool combines() const { return down(Key::control) || down(Key::alt) || down(Key::super); }
+  /// Returns whether a key is held by itself: it is no part of a combination, nor the rest of one.
+  [[nodiscard]] bool down_alone(Key key) const {
+    return down(key) && !combines() && !combined[static_cast<std::size_t>(key)];
+  }
 };
 
 /// The text clipboard of the window system; both functions may be empty.
@@ -104,7 +116,8 @@ struct Clipboard {
 };
 
 /// Turns events into frames so that no press shorter than a frame is lost. A key or button changes at most once in a
-/// frame; a second change, and all events after it, wait for the next frame.
+/// frame; a second change, and all events after it, wait for the next frame. Ctrl, Alt, Shift and Super change before
+/// all other keys of a frame, so that a combination has the ones that were held at its key.
 class InputQueue {
  public:
   void push(const InputEvent& event) { events_.push_back(event); }

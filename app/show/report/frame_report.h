@@ -117,6 +117,12 @@ struct TracksReport {
   std::shared_ptr<const PeopleOverTime> people;  ///< of the whole file; never null
 };
 
+/// The work that a person would lose by what was asked for.
+struct UnsavedReport {
+  std::vector<std::string> parts;  ///< a phrase each, such as "the values"
+  std::string next;                ///< the file that is to be opened; empty: the window is to be closed
+};
+
 /// The recording that goes on.
 struct RecordingReport {
   std::string file;     ///< empty: nothing is recorded
@@ -128,6 +134,7 @@ struct FrameReport {
   std::vector<std::string> characters;  ///< names shown: the files', or "mannequin (built in)"
   std::uint32_t character = 0;          ///< index of the character whose roles and bones are below
   std::vector<CastMember> cast;         ///< [character]
+  bool has_built_in_cast = false;       ///< the built-in character alone is all of the cast
   WardrobeReport wardrobe;              ///< of the character shown
   std::string context;                  ///< "window", "egl", "osmesa"
   std::string gl_version, gl_renderer;
@@ -181,6 +188,9 @@ struct FrameReport {
   Situation situation;                      ///< says which values have no effect
   std::vector<std::string> preset_names;    ///< names of presets that can be loaded, sorted
   std::vector<std::string> crowd_names;     ///< names of the crowd files in the working folder, sorted
+  std::string crowd;                        ///< the crowd file of this work, as SaveCrowd names it; empty: it has none
+  std::vector<std::string> recent_files;    ///< files that were opened or saved, the newest first
+  std::optional<UnsavedReport> unsaved;     ///< the person is asked about it
   std::vector<float> snapshots;             ///< seconds back to each that the crowd can be taken to, newest first
   std::optional<SelectionReport> selected;  ///< the agent that was clicked at
   std::optional<ViewerReport> viewer;       ///< of the character that is shown alone, while the crowd waits

@@ -202,9 +202,13 @@ struct ShowExactCrowd {};
 struct Tell {
   std::string words;
 };
+/// Closes the window. A person with unsaved work is asked first.
 struct Quit {};
+/// A person who is asked about unsaved work gives it up, or goes on with it.
+struct LeaveUnsaved {};
+struct KeepWorking {};
 
-// Files. A name is a file's in the working folder, without its ending, or a preset's.
+// Files. A name is a preset's, or a file's without its ending, in the working folder if it names no other.
 struct SavePreset {
   std::string preset;
 };
@@ -319,9 +323,9 @@ struct SetReplaySpeed {
   float speed = 1;
 };
 
-using WindowRequest =
-    std::variant<SelectAt, OpenFiles, Undo, Redo, Tell, ToggleRecording, CopyCamera, CopyCommandLine, ReloadShaders,
-                 ShowCharacter, TuneRules, StartSweep, StopSweep, LookAtFrame, LookAtLastFrames, FrameCrowd>;
+using WindowRequest = std::variant<SelectAt, OpenFiles, Undo, Redo, Tell, ToggleRecording, CopyCamera, CopyCommandLine,
+                                   ReloadShaders, ShowCharacter, TuneRules, StartSweep, StopSweep, LookAtFrame,
+                                   LookAtLastFrames, FrameCrowd, LeaveUnsaved, KeepWorking>;
 /// What the loop does with the frame in which it is asked for.
 using FrameRequest = std::variant<StepFrame, ShowExactCrowd, TakeScreenshot, Quit>;
 using FileRequest = std::variant<SavePreset, LoadPreset, DeletePreset, LoadIntoOther, SaveCrowd, OpenCrowd, SaveRules,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "app/show/camera/input.h"
@@ -57,6 +59,14 @@ void show_track_bar(const TabContext& context, const Area& crowd);
 /// second, and pause; `[` and `]` begin and end the part that is played; Shift+Space plays the other way; Space at the
 /// end begins anew. The caller handles Space as the pause before.
 void apply_track_keys(const InputFrame& input, const TracksReport& tracks, Tuning& tuning, Requests& requests);
+
+/// The answers to the question what becomes of unsaved work.
+enum class UnsavedAnswer : std::uint8_t { save, leave, stay };
+
+/// Asks, before something is closed or opened, what becomes of unsaved work. Buttons and the keys S, L and Esc answer.
+/// Returns the answer once there is one.
+std::optional<UnsavedAnswer> show_question_card(Widgets& widgets, const InputFrame& input,
+                                                const UnsavedReport& unsaved);
 
 /// Begins a window of the overlay that stays in its place; end it with ImGui::End().
 void begin_fixed_window(const char* name, const Area& place, float rounding = 0, ImGuiWindowFlags more_flags = 0);

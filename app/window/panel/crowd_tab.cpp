@@ -41,6 +41,12 @@ void show_who(const TabContext& context) {
                   {.what = "Shows the character alone, clip by clip, while the crowd waits."})) {
     context.requests.ask(View{{.character = context.report.character}});
   }
+  const bool has_others = !context.report.has_built_in_cast;
+  if (has_others && wide_button(context.widgets, "Back to the built-in people",
+                                {.what = "Gives all agents the character that comes with the program. Ctrl+Z takes it "
+                                         "back."})) {
+    context.requests.ask(SetCast{{ChosenCharacter{}}});
+  }
   context.row("scene", {.what = "plaza: people cross, stop and talk. parade: companies march past spectators. "
                                 "stadium: seats on tiers, and a wave that runs round. grid: everyone stands in rows. "
                                 "film: a cut scene with an actor, a balloon and a camera.",

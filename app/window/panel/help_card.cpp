@@ -26,7 +26,7 @@ constexpr std::array key_lines = std::to_array<HelpLine>({
     {"W A S D", "Fly; Q and E down and up."},
     {"Right drag", "Look around."},
     {"Middle drag", "Turn about the selected character, or about the crowd; Alt and left drag too."},
-    {"Wheel", "Flying speed; Shift is faster, Ctrl slower."},
+    {"Wheel", "Flying speed; Shift is faster."},
     {"Click", "Select a character; P pushes it over."},
     {"F", "Frame the crowd beside the panel."},
     {"Home", "Back to the scene's camera; a film has the camera again."},
@@ -35,6 +35,7 @@ constexpr std::array key_lines = std::to_array<HelpLine>({
     {"X", "While held: the exact crowd, nothing skipped."},
     {"B", "Bring the other of two tunings into use."},
     {"Ctrl+Z, +Y", "Take back the last change of a value; make it again."},
+    {"Ctrl+O, +S", "Open a file; save the crowd. Shift+Ctrl+S: under another name."},
     {"Space", "Pause."},
     {"Left, Right", "In a replay: a frame back, a frame on. In the scene tracks: a row; with Shift, a second."},
     {"Shift+Space", "In the scene tracks: play the other way."},
@@ -51,7 +52,7 @@ constexpr std::array key_lines = std::to_array<HelpLine>({
     {"F5", "Build the shaders again; a shader that is saved is built at once."},
     {"F12", "Write a picture."},
     {"F1", "This card."},
-    {"Esc", "Close the topmost; with nothing open, quit."},
+    {"Esc", "Close the topmost; with nothing open, quit. Ctrl+Q closes the window."},
 });
 
 constexpr std::array crowd_lines = std::to_array<HelpLine>({

@@ -35,28 +35,15 @@ void add_camera_key(const InputFrame& input, Key key, const OpenThings& open, Re
   if (key == Key::g && open.selected) {
     requests.ask(input.down(Key::shift) ? CameraRequest(FollowBehind{}) : CameraRequest(ToggleFollow{}));
   }
-  const std::size_t place = place_of_digit(key);
-  if (place >= bookmark_count) return;
-  requests.ask(input.down(Key::control) ? CameraRequest(KeepBookmark{place}) : CameraRequest(GoToBookmark{place}));
+  if (const std::size_t place = place_of_digit(key); place < bookmark_count) requests.ask(GoToBookmark{place});
 }
 
-void add_history_key(const InputFrame& input, Key key, Requests& requests) {
-  if (!input.down(Key::control)) return;
-  const bool redoes = key == Key::y || (key == Key::z && input.down(Key::shift));
-  if (redoes) {
-    requests.ask(Redo{});
-  } else if (key == Key::z) {
-    requests.ask(Undo{});
-  }
-}
-
-void ask_the_crowd(const InputFrame& input, Key key, const OpenThings& open, Tuning& tuning, Requests& requests) {
+void ask_the_crowd(Key key, const OpenThings& open, Tuning& tuning, Requests& requests) {
   if (key == Key::space) tuning.paused = !tuning.paused;
-  if (key == Key::f && !input.down(Key::control)) requests.ask(FrameCrowd{});
+  if (key == Key::f) requests.ask(FrameCrowd{});
   if (key == Key::c) requests.ask(CopyCamera{});
   if (key == Key::r) requests.ask(ToggleRecording{});
   if (key == Key::p && open.selected) requests.ask(Push{*open.selected, open.ahead});
-  add_history_key(input, key, requests);
 }
 
 void ask_the_viewer(Key key, ViewerSettings settings, Requests& requests) {
@@ -78,7 +65,7 @@ std::string why_nothing_happens(const InputFrame& input, Key key, const OpenThin
   }
   if (key == Key::up || key == Key::down) return "Up and Down go through the panel once F6 is pressed. W A S D fly.";
   const std::size_t place = place_of_digit(key);
-  const bool goes_there = place < bookmark_count && !input.down(Key::control) && !types_sign(input);
+  const bool goes_there = place < bookmark_count && !types_sign(input);
   if (!goes_there || open.kept.at(place)) return {};
   const std::string digit = std::to_string(place + 1);
   return "No place of the camera is kept under " + digit + ". Ctrl+" + digit + " keeps the present one.";
@@ -92,28 +79,52 @@ bool is_for_the_crowd(Key key) {
 
 bool types_slash(const InputFrame& input) { return input.characters.find(U'/') != std::u32string::npos; }
 
-int tabs_further(const InputFrame& input, Key key) {
-  if (!input.down(Key::control)) return 0;
-  if (key == Key::tab) return input.down(Key::shift) ? -1 : 1;
-  return (key == Key::page_down ? 1 : 0) - (key == Key::page_up ? 1 : 0);
-}
-
-void ask_for_search(const InputFrame& input, OverlaySwitches& switches) {
-  const bool by_f = input.down(Key::control) && input.was_pressed(Key::f);
-  if (!by_f && !types_slash(input)) return;
+void ask_for_search(OverlaySwitches& switches) {
   switches.hidden = false;
   switches.enters_search = true;
 }
 
+// What Ctrl and a key ask of the crowd.
+void ask_the_crowd_by_control(bool shift, Key key, OverlaySwitches& switches, Requests& requests) {
+  if (key == Key::f) ask_for_search(switches);
+  if (key == Key::z) requests.ask(shift ? WindowRequest(Redo{}) : WindowRequest(Undo{}));
+  if (key == Key::y) requests.ask(Redo{});
+  if (const std::size_t place = place_of_digit(key); place < bookmark_count) requests.ask(KeepBookmark{place});
+}
+
+// What Ctrl and a key ask of the window, also while a person types.
+void ask_the_window_by_control(bool shift, Key key, OverlaySwitches& switches, Requests& requests) {
+  if (key == Key::q) requests.ask(Quit{});
+  if (key == Key::o) switches.opens_file = true;
+  if (key == Key::s) (shift ? switches.saves_anew : switches.saves) = true;
+}
+
+int tabs_further(bool shift, Key key) {
+  if (key == Key::tab) return shift ? -1 : 1;
+  return (key == Key::page_down ? 1 : 0) - (key == Key::page_up ? 1 : 0);
+}
+
 }  // namespace
+
+void apply_combinations(const InputFrame& input, const OpenThings& open, OverlaySwitches& switches,
+                        Requests& requests) {
+  const bool shift = input.down(Key::shift);
+  const bool by_control = input.down(Key::control) && !input.down(Key::alt) && !input.down(Key::super);
+  for (const Key key : input.pressed) {
+    if (!by_control) continue;
+    ask_the_window_by_control(shift, key, switches, requests);
+    if (open.typing) continue;
+    switches.tabs_further += tabs_further(shift, key);
+    if (!open.viewer) ask_the_crowd_by_control(shift, key, switches, requests);
+  }
+}
 
 void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitches& switches, Tuning& tuning,
                    Requests& requests) {
-  if (!open.viewer) ask_for_search(input, switches);
-  if (input.down(Key::x) && !open.viewer) requests.ask(ShowExactCrowd{});
+  if (!open.viewer && types_slash(input)) ask_for_search(switches);
+  if (input.down_alone(Key::x) && !open.viewer) requests.ask(ShowExactCrowd{});
   for (const Key key : input.pressed) {
-    if (key == Key::tab && !input.down(Key::control)) switches.hidden = !switches.hidden;
-    switches.tabs_further += tabs_further(input, key);
+    if (key == Key::tab) switches.hidden = !switches.hidden;
     if (key == Key::f1) switches.help = !switches.help;
     if (key == Key::l) switches.log = !switches.log;
     if (key == Key::f5) requests.ask(ReloadShaders{});
@@ -124,7 +135,7 @@ void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitc
       if (is_for_the_crowd(key)) requests.ask(Tell{"That key is about the crowd. Esc leaves the viewer."});
     } else {
       if (std::string why = why_nothing_happens(input, key, open); !why.empty()) requests.ask(Tell{std::move(why)});
-      ask_the_crowd(input, key, open, tuning, requests);
+      ask_the_crowd(key, open, tuning, requests);
       if (!types_sign(input)) add_camera_key(input, key, open, requests);
     }
   }

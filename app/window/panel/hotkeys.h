@@ -20,12 +20,16 @@ struct OverlaySwitches {
   std::string search = {};     ///< among the values of all tabs; empty: a tab is shown
   bool enters_search = false;  ///< the cursor is wanted in its field
   int tabs_further = 0;        ///< to the right; negative: to the left
+  bool opens_file = false;     ///< a file is to be chosen
+  bool saves = false;          ///< the crowd is to be saved
+  bool saves_anew = false;     ///< under a name that is to be chosen
 };
 
 /// Says which parts are open while keys are pressed. Esc closes them from the top down: a list, a search, the help, the
 /// log of messages, the viewer of one character, the card of the selected agent.
 struct OpenThings {
   bool list = false;
+  bool typing = false;                         ///< a text field has the keys
   std::optional<std::uint32_t> selected = {};  ///< the selected agent
   glm::vec3 ahead{0.0F};                       ///< where the camera looks
   std::optional<ViewerSettings> viewer = {};   ///< of the viewer that is open
@@ -33,7 +37,11 @@ struct OpenThings {
   std::array<bool, bookmark_count> kept = {};  ///< [bookmark]: the person keeps a place there
 };
 
-/// Carries out the keys pressed in this frame (README.md has the table). The caller leaves it out while a text
+/// Carries out the combinations with Ctrl or Alt that were pressed in this frame (README.md has the table).
+/// While a text field has the keys, these are the ones that no text field knows.
+void apply_combinations(const InputFrame& input, const OpenThings& open, OverlaySwitches& switches, Requests& requests);
+
+/// Carries out the keys pressed in this frame that are no part of a combination. The caller leaves it out while a text
 /// field has the keys.
 void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitches& switches, Tuning& tuning,
                    Requests& requests);

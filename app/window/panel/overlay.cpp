@@ -5,11 +5,16 @@
 #include <cstddef>
 #include <memory>
 #include <new>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include <imgui.h>
 
+#include "app/show/request/crowd_file.h"
+#include "app/show/request/openable_files.h"
 #include "app/window/panel/cards.h"
+#include "app/window/panel/file_picker.h"
 #include "app/window/panel/hotkeys.h"
 #include "app/window/panel/imgui_input.h"
 #include "app/window/panel/panel_column.h"
@@ -65,10 +70,14 @@ struct Overlay::State {
   TabMemory memory;
   PanelColumn column{widgets};
   AidsMemory aids;
+  FilePicker picker{is_openable, crowd_file_ending};
+  bool has_dialog = false;    ///< which has pointer and keyboard
   bool shows_viewer = false;  ///< which has no strip
   bool is_in_a_change = false;
-
   void take_keys_of_panel(const FrameReport& report);
+  void apply_keys(const FrameReport& report, Tuning& tuning, Requests& requests);
+  void show_dialogs(const FrameReport& report, const InputFrame& keys, Requests& requests);
+  void save(const FrameReport& report, bool anew, Requests& requests);
   void show_crowd(const Layout& layout, const TabContext& context_of_tab);
   void show_viewer(const Layout& layout, const TabContext& context_of_tab);
 };
@@ -110,25 +119,13 @@ Requests Overlay::build(const FrameReport& report, const Tuning& before) {
   state.map.idle.clear();
   state.map.over_crowd.clear();
   if (!state.input.dropped.empty()) requests.ask(OpenFiles{state.input.dropped});
+  const InputFrame all_input = state.input;
+  state.has_dialog = state.picker.is_open() || report.unsaved;
+  if (state.has_dialog) state.input.pressed.clear();
   state.take_keys_of_panel(report);
   const auto clicked = state.click.update(state.input, !uses_pointer());
   if (clicked && !report.viewer) requests.ask(SelectAt{*clicked});
-  if (!uses_keyboard()) {
-    const bool list_is_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
-    const auto viewer = report.viewer ? std::optional(report.viewer->settings) : std::nullopt;
-    const auto selected = report.selected ? std::optional(report.selected->agent) : std::nullopt;
-    apply_hotkeys(state.input,
-                  {.list = list_is_open,
-                   .selected = selected,
-                   .ahead = ahead_of(report.camera),
-                   .viewer = viewer,
-                   .has_moments = report.replay || report.tracks,
-                   .kept = report.cameras.kept},
-                  state.switches, tuning, requests);
-    if (report.replay) apply_replay_keys(state.input, requests);
-    if (report.tracks && !viewer) apply_track_keys(state.input, *report.tracks, tuning, requests);
-    if (!viewer && !report.replay) apply_pair_key(state.input, state.memory.pair, tuning, requests);
-  }
+  state.apply_keys(report, tuning, requests);
   const Layout layout = lay_out(state.theme, ImGui::GetIO().DisplaySize);
   state.shows_viewer = report.viewer.has_value();
   if (!state.switches.hidden) {
@@ -144,6 +141,7 @@ Requests Overlay::build(const FrameReport& report, const Tuning& before) {
     }
     show_picture_aids(context, state.map, layout.crowd, state.aids);
   }
+  state.show_dialogs(report, all_input, requests);
   if (state.aids.is_legend_alone) {
     const TabContext context{state.widgets, report, tuning, state.standard, requests, state.memory};
     show_legend(context, {.from = {0, 0}, .to = ImGui::GetIO().DisplaySize}, {}, state.aids);
@@ -163,10 +161,52 @@ Requests Overlay::build(const FrameReport& report, const Tuning& before) {
 
 void Overlay::State::take_keys_of_panel(const FrameReport& report) {
   if (input.was_pressed(Key::f6)) switches.hidden = false;
-  if (switches.hidden) widgets.focus().give_back();
+  if (switches.hidden || has_dialog) widgets.focus().give_back();
   widgets.focus().begin_frame(input, {.typing = ImGui::GetIO().WantTextInput,
                                       .list = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup),
                                       .search = !switches.search.empty() && !report.viewer});
+}
+
+void Overlay::State::apply_keys(const FrameReport& report, Tuning& tuning, Requests& requests) {
+  const bool typing = ImGui::GetIO().WantTextInput;
+  const OpenThings open{.list = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup),
+                        .typing = typing,
+                        .selected = report.selected ? std::optional(report.selected->agent) : std::nullopt,
+                        .ahead = ahead_of(report.camera),
+                        .viewer = report.viewer ? std::optional(report.viewer->settings) : std::nullopt,
+                        .has_moments = report.replay || report.tracks,
+                        .kept = report.cameras.kept};
+  apply_combinations(input, open, switches, requests);
+  if (input.combines()) input.pressed.clear();  // they mean nothing else
+  if (typing || has_dialog) return;
+  apply_hotkeys(input, open, switches, tuning, requests);
+  if (report.replay) apply_replay_keys(input, requests);
+  if (report.tracks && !open.viewer) apply_track_keys(input, *report.tracks, tuning, requests);
+  if (!open.viewer && !report.replay) apply_pair_key(input, memory.pair, tuning, requests);
+}
+
+void Overlay::State::show_dialogs(const FrameReport& report, const InputFrame& keys, Requests& requests) {
+  const bool saves = std::exchange(switches.saves, false), saves_anew = std::exchange(switches.saves_anew, false);
+  const bool opens = std::exchange(switches.opens_file, false);
+  if (report.replay) return;  // it repeats what was recorded, and has no work
+  if (!has_dialog && opens) picker.open(FilePicker::Purpose::open);
+  if (!has_dialog && (saves || saves_anew)) save(report, saves_anew, requests);
+  if (picker.is_open()) {
+    const bool opens_it = picker.purpose() == FilePicker::Purpose::open;
+    const auto file = picker.show(widgets, has_dialog ? keys : InputFrame(), report.recent_files);
+    if (file && opens_it) requests.ask(OpenFiles{{*file}});
+    if (file && !opens_it) requests.ask(SaveCrowd{std::filesystem::path(*file).replace_extension().string()});
+  } else if (report.unsaved) {
+    const auto answer = show_question_card(widgets, keys, *report.unsaved);
+    if (answer == UnsavedAnswer::save) save(report, false, requests);
+    if (answer == UnsavedAnswer::leave) requests.ask(LeaveUnsaved{});
+    if (answer == UnsavedAnswer::stay) requests.ask(KeepWorking{});
+  }
+}
+
+void Overlay::State::save(const FrameReport& report, bool anew, Requests& requests) {
+  if (!anew && !report.crowd.empty()) return requests.ask(SaveCrowd{report.crowd});
+  picker.open(FilePicker::Purpose::save);
 }
 
 void Overlay::State::show_crowd(const Layout& layout, const TabContext& context_of_tab) {
@@ -202,7 +242,7 @@ UiRectangle Overlay::crowd_area() const {
 
 bool Overlay::uses_pointer() const { return ImGui::GetIO().WantCaptureMouse; }
 
-bool Overlay::uses_keyboard() const { return ImGui::GetIO().WantTextInput; }
+bool Overlay::uses_keyboard() const { return ImGui::GetIO().WantTextInput || state_->has_dialog; }
 
 void Overlay::leave_ground_out() { state_->theme.panels_have_ground = false; }
 

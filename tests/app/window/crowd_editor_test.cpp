@@ -4,10 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/people/crowd/crowd.h"
 #include "app/show/show.h"
 #include "app/show/stage/stage.h"
 #include "app/window/frame_reporter.h"
 #include "tests/app/show/recording/recorded_run.h"
+#include "tests/tracks/track_file.h"
 
 namespace throng::app::crowd_editor_test {
 namespace {
@@ -91,6 +93,31 @@ TEST_F(EditedCrowd, TakesTheOtherOfTwoTuningsWithoutAStep) {
   EXPECT_TRUE(editor_.take_in_passing(with_agents(8)));
   editor_.undo();
   EXPECT_EQ(editor_.tuning().agents, 8);
+}
+
+std::shared_ptr<const Trajectories> walk_of(int people) {
+  std::string text = "id,time,x,y\n";
+  for (int person = 0; person < people; ++person) {
+    for (const std::string row : {"0", "1", "2"}) text += std::to_string(person) + "," + row + "," + row + ",0\n";
+  }
+  auto read = read_as("walk.csv", text);
+  return std::make_shared<const Trajectories>(std::move(*read));
+}
+
+TEST_F(EditedCrowd, GoesBackFromARecordedCrowdThatWasDroppedAndOnToIt) {
+  ASSERT_TRUE(editor_.take(walk_of(5)));
+  ASSERT_TRUE(show_->take(Seek{{.seconds = 1, .first = 0, .last = 2}}));
+  ASSERT_TRUE(editor_.take(walk_of(2)));
+  const auto people = [&] { return show_->stage().crowd().size(); };
+  editor_.undo();
+  EXPECT_EQ(people(), 5U);
+  EXPECT_EQ(show_->stage().crowd().tracks()->clock().seconds, 1) << "at the time that was shown";
+  editor_.undo();
+  EXPECT_EQ(show_->stage().tuning().scene, Scene::plaza);
+  EXPECT_EQ(people(), 3U);
+  editor_.redo();
+  editor_.redo();
+  EXPECT_EQ(people(), 2U);
 }
 
 }  // namespace

@@ -19,9 +19,8 @@ constexpr std::array repeated_keys = std::to_array<std::pair<Key, ImGuiKey>>({{K
                                                                               {Key::left, ImGuiKey_LeftArrow},
                                                                               {Key::right, ImGuiKey_RightArrow}});
 
-// Ctrl makes other keys of them.
 bool belongs_to_panel(const InputFrame& input, Key key) {
-  return !input.down(Key::control) && std::ranges::count(panel_keys, key) > 0;
+  return !input.combines() && std::ranges::count(panel_keys, key) > 0;
 }
 
 bool is_held_long(const InputFrame& input, Key key, ImGuiKey theirs) {

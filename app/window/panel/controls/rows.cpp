@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <utility>
+#include <vector>
 
 #include <imgui_internal.h>
 
@@ -285,9 +286,10 @@ bool Widgets::text(const char* label, std::string& value, const char* hint, cons
   return changed;
 }
 
-bool Widgets::text_field(const std::string& name, std::string& value, const char* hint, const Area& place) {
-  std::array<char, 64> typed = {};
-  value.copy(typed.data(), typed.size() - 1);
+bool Widgets::text_field(const std::string& name, std::string& value, const char* hint, const Area& place,
+                         std::size_t most_bytes) {
+  std::vector<char> typed(most_bytes + 1);
+  value.copy(typed.data(), most_bytes);
   if (focus_.has_keys() && stop(name, place).take_activation()) imgui::focus_next_item();
   ImGui::SetCursorScreenPos(place.from);
   ImGui::SetNextItemWidth(place.width());

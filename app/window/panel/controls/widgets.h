@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <set>
@@ -65,8 +67,9 @@ class Widgets {
   bool named_button(const char* words, const std::string& name, const Help& help, float width);
   /// Shows a field for a few words, at most 63 bytes. `hint` stands in it while it is empty.
   bool text(const char* label, std::string& value, const char* hint, const Help& help);
-  /// Shows such a field alone, at that place.
-  bool text_field(const std::string& name, std::string& value, const char* hint, const Area& place);
+  /// Shows a field alone, at that place, for as many bytes.
+  bool text_field(const std::string& name, std::string& value, const char* hint, const Area& place,
+                  std::size_t most_bytes = 63);
   void fact(const char* label, const std::string& value, const Help& help);
   void caption(const std::string& text) const;
   /// Shows a sentence that comes and goes. It always takes the room of three lines, so that nothing below it moves.

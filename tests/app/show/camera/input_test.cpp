@@ -41,6 +41,33 @@ TEST(InputQueue, DifferentKeysShareAFrame) {
   EXPECT_TRUE(frame.down(Key::w) && frame.down(Key::d));
 }
 
+TEST(InputQueue, AKeyOfACombinationStaysOneUntilItIsLetGo) {
+  InputQueue queue;
+  queue.push(key(Key::control, true));
+  queue.push(key(Key::s, true));
+  EXPECT_FALSE(queue.next_frame().down_alone(Key::s));
+  queue.push(key(Key::control, false));
+  const InputFrame rest = queue.next_frame();
+  EXPECT_TRUE(rest.down(Key::s));
+  EXPECT_FALSE(rest.down_alone(Key::s)) << "Ctrl is let go first";
+  queue.push(key(Key::s, false));
+  queue.next_frame();
+  queue.push(key(Key::s, true));
+  EXPECT_TRUE(queue.next_frame().down_alone(Key::s));
+}
+
+TEST(InputQueue, ACombinationKeepsItsKeysThoughCtrlIsLetGoInTheSameFrame) {
+  InputQueue queue;
+  queue.push(key(Key::control, true));
+  queue.next_frame();
+  queue.push(key(Key::s, true));
+  queue.push(key(Key::control, false));
+  const InputFrame frame = queue.next_frame();
+  EXPECT_THAT(frame.pressed, ElementsAre(Key::s));
+  EXPECT_TRUE(frame.down(Key::control));
+  EXPECT_FALSE(queue.next_frame().down(Key::control));
+}
+
 TEST(InputQueue, AClickHappensWhereThePointerWas) {
   InputQueue queue;
   queue.push(pointer(10, 20));

@@ -23,6 +23,15 @@ TEST(CastRows, ShowAndChangeTheShareOfEachCharacter) {
   EXPECT_NEAR(dragged.share, 1.0, 0.1);
 }
 
+TEST(CastRows, GoBackToTheBuiltInPeopleFromOthers) {
+  OverlayDriver driver;
+  EXPECT_FALSE(driver.sees("Back to the built-in people")) << "they are shown";
+  driver.report.has_built_in_cast = false;
+  driver.frames();
+  const auto cast = asked<SetCast>(driver.click("Back to the built-in people"));
+  EXPECT_EQ(cast.characters, std::vector{ChosenCharacter{}});
+}
+
 TEST(CastRows, GiveAllPlacesToTheModelThatIsShown) {
   OverlayDriver driver;
   driver.report.characters = {"person.glb", "knight.glb", "dog.glb"};

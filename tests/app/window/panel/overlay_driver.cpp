@@ -100,6 +100,7 @@ void OverlayDriver::button(bool down) { input.push({.kind = InputEvent::Kind::bu
 FrameReport full_report() {
   FrameReport report;
   report.characters = {"mannequin (built in)"};
+  report.has_built_in_cast = true;
   report.notice = "A line worth reading.";
   report.agents = 1000;
   report.visible = report.drawn = 600;

@@ -154,6 +154,12 @@ bool WindowInput::takes_close() {
   return asked;
 }
 
+float WindowInput::content_scale() const {
+  float across = 1, along = 1;
+  glfwGetWindowContentScale(window_, &across, &along);
+  return across;
+}
+
 Clipboard WindowInput::clipboard() const {
   GLFWwindow* const window = window_;
   return {.get =

@@ -21,6 +21,9 @@ class WindowInput {
   /// Returns once whether the window's close button was pressed.
   bool takes_close();
 
+  /// Returns how much larger than on a plain screen things are to be on the display that the window is on.
+  float content_scale() const;
+
   /// Returns the text clipboard of the window, which is usable as long as the window lives.
   Clipboard clipboard() const;
 

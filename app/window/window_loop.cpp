@@ -8,10 +8,12 @@
 #include "app/files/data_folder.h"
 #include "app/settings/preset.h"
 #include "app/show/figures/run_figures.h"
+#include "app/show/painter.h"
 #include "app/show/recording/recorder.h"
 #include "app/show/request/crowd_file.h"
 #include "app/show/show.h"
 #include "app/show/show_view.h"
+#include "app/window/full_screen.h"
 #include "app/window/panel/overlay.h"
 #include "app/window/stop_signals.h"
 #include "app/window/window_picture.h"
@@ -66,6 +68,13 @@ class WindowLoop {
     return fonts ? *fonts : std::filesystem::path();
   }
 
+  // That of the display, unless a person asked for another.
+  float panel_scale() const {
+    const DemoOptions& options = session_.options;
+    const bool is_asked_for = std::ranges::find(options.given, "--ui-scale") != options.given.end();
+    return is_asked_for ? options.ui_scale : session_.input.content_scale();
+  }
+
   void take_kept(const std::string& crowd_file) {
     const auto setup = read_crowd_file(crowd_file);
     if (!setup) return;  // it has gone since the characters were read
@@ -84,6 +93,7 @@ class WindowLoop {
     const double seconds = std::min(std::chrono::duration<double>(now - last_frame_).count(), longest_step);
     last_frame_ = now;
     picture_.fit_to_window();
+    picture_.scale(overlay_, panel_scale());
     const InputFrame& input = session_.input.next_frame();
     const Clock::time_point overlay_start = Clock::now();
     overlay_.begin_frame(picture_.window_size().x, picture_.window_size().y, seconds, input);
@@ -97,6 +107,7 @@ class WindowLoop {
     reporter.report().rate_advice = session_.rate.advice(session_.editor.tuning());
     Requests requests = overlay_.build(reporter.report(), session_.shown_values());
     if (session_.input.takes_close()) requests.ask(Quit{});
+    if (last_of<ToggleFullScreen>(requests) != nullptr) full_screen_.toggle();
     show.figures().add_overlay(std::chrono::duration<double, std::milli>(Clock::now() - overlay_start).count());
     if (replay_) {
       repeat(requests, seconds);
@@ -162,6 +173,7 @@ class WindowLoop {
   Overlay overlay_;
   WindowRequests requests_{session_, overlay_};
   WindowPicture picture_{session_.show, session_.messages()};
+  FullScreen full_screen_{session_.show.painter().context().window()};
   Clock::time_point last_frame_ = Clock::now();
   Status failed_ = Done{};
   bool done_ = false;

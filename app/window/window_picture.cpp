@@ -27,6 +27,10 @@ Status WindowPicture::prepare(Overlay& overlay) {
   return show_.painter().renderer().prepare_overlay();
 }
 
+void WindowPicture::scale(Overlay& overlay, float scale) {
+  if (overlay.set_scale(scale)) messages_.report(show_.painter().renderer().prepare_overlay());
+}
+
 void WindowPicture::fit_to_window() {
   ShowView& view = show_.view();
   const glm::ivec2 size = show_.painter().context().framebuffer_size();

@@ -22,6 +22,8 @@ class WindowPicture {
 
   /// Makes the device ready to draw the panel. Errors: those of render::Renderer::prepare_overlay.
   Status prepare(Overlay& overlay);
+  /// Gives the panel that scale, if it has another.
+  void scale(Overlay& overlay, float scale);
   /// Takes the size of the window, and of the picture in it. A minimised window has no pixels: the crowd goes on,
   /// unseen.
   void fit_to_window();

@@ -63,7 +63,7 @@ const std::vector<Part>& parts() {
       {"imgui",
        {"engine/render/passes/overlay_renderer.cpp", "engine/render/passes/imgui_versions.h", "app/window/panel/"}},
       {"CLI/", {"app/commands/command_line/"}},
-      {"GLFW/", {"engine/render/gl/window_context.cpp", "app/window/window_input.cpp"}},
+      {"GLFW/", {"engine/render/gl/window_context.cpp", "app/window/window_input.cpp", "app/window/full_screen.cpp"}},
       {"EGL/", {"engine/render/gl/egl_context.cpp", "engine/crowd/examples/own_opengl.h"}},
       {"glad/", {"engine/render/"}},
       {"hwy/",

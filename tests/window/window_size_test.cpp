@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "app/output/regression/compare.h"
+#include "tests/window/display_scale.h"
 #include "tests/window/screen.h"
 #include "tests/window/window_driver.h"
 
@@ -83,6 +84,28 @@ TEST_F(WindowSize, IsAsBeforeAfterTheWindowWasHidden) {
   window({"windowmap"});
   next_map();
   expect_that_it_shows_its_picture({1280, 720});
+}
+
+TEST_F(WindowSize, IsThatOfTheScreenAfterF11AndAsBeforeAfterAltEnter) {
+  const auto wait_for_size = [&](glm::ivec2 size) {
+    wait_for("its size", [&](const Json& map) { return map["size"] == Json::array({size.x, size.y}); });
+  };
+  press("F11");
+  wait_for_size(screen());
+  xdotool({"key", "alt+Return"});
+  wait_for_size({1280, 720});
+}
+
+TEST_F(WindowSize, HasAPanelOfTheScaleOfItsDisplayUnlessAnotherIsAskedFor) {
+  const auto height_of_search = [&] { return next_map()["widgets"]["search"]["h"].get<double>(); };
+  const double usual = height_of_search();
+  const auto display_of_many_dots = with_dots_per_inch(display(), 144);
+  start_program(options());
+  EXPECT_GT(height_of_search(), 1.3 * usual);
+  std::vector<std::string> plain = options();
+  plain.insert(plain.end(), {"--ui-scale", "1"});
+  start_program(plain);
+  EXPECT_EQ(height_of_search(), usual);
 }
 
 class LargeOverlay : public WindowSize {

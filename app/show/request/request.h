@@ -207,6 +207,8 @@ struct Quit {};
 /// A person who is asked about unsaved work gives it up, or goes on with it.
 struct LeaveUnsaved {};
 struct KeepWorking {};
+/// The window fills its screen, or goes back to its place.
+struct ToggleFullScreen {};
 
 // Files. A name is a preset's, or a file's without its ending, in the working folder if it names no other.
 struct SavePreset {
@@ -327,7 +329,7 @@ using WindowRequest = std::variant<SelectAt, OpenFiles, Undo, Redo, Tell, Toggle
                                    ReloadShaders, ShowCharacter, TuneRules, StartSweep, StopSweep, LookAtFrame,
                                    LookAtLastFrames, FrameCrowd, LeaveUnsaved, KeepWorking>;
 /// What the loop does with the frame in which it is asked for.
-using FrameRequest = std::variant<StepFrame, ShowExactCrowd, TakeScreenshot, Quit>;
+using FrameRequest = std::variant<StepFrame, ShowExactCrowd, TakeScreenshot, ToggleFullScreen, Quit>;
 using FileRequest = std::variant<SavePreset, LoadPreset, DeletePreset, LoadIntoOther, SaveCrowd, OpenCrowd, SaveRules,
                                  LoadRules, SaveRoles, SaveBody, SaveBones, ExportLod>;
 using CameraRequest =

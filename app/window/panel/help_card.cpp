@@ -50,8 +50,10 @@ constexpr std::array key_lines = std::to_array<HelpLine>({
     {"R", "Begin a recording; again, end it."},
     {"L", "Messages so far."},
     {"F5", "Build the shaders again; a shader that is saved is built at once."},
+    {"F11", "Fill the screen; back to the window. Alt+Enter too."},
     {"F12", "Write a picture."},
     {"F1", "This card."},
+    {"Ctrl +, -, 0", "A larger panel, a smaller one, as it was. Its edge can be dragged."},
     {"Esc", "Close the topmost; with nothing open, quit. Ctrl+Q closes the window."},
 });
 

@@ -1,5 +1,6 @@
 #include "app/window/panel/hotkeys.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -97,6 +98,10 @@ void ask_the_window_by_control(bool shift, Key key, OverlaySwitches& switches, R
   if (key == Key::q) requests.ask(Quit{});
   if (key == Key::o) switches.opens_file = true;
   if (key == Key::s) (shift ? switches.saves_anew : switches.saves) = true;
+  if (key == Key::digit_0) switches.steps_larger = 0;
+  constexpr int most_steps = 15;
+  const int further = (key == Key::plus ? 1 : 0) - (key == Key::minus ? 1 : 0);
+  switches.steps_larger = std::clamp(switches.steps_larger + further, -most_steps, most_steps);
 }
 
 int tabs_further(bool shift, Key key) {
@@ -111,6 +116,8 @@ void apply_combinations(const InputFrame& input, const OpenThings& open, Overlay
   const bool shift = input.down(Key::shift);
   const bool by_control = input.down(Key::control) && !input.down(Key::alt) && !input.down(Key::super);
   for (const Key key : input.pressed) {
+    const bool by_alt = key == Key::enter && input.down(Key::alt) && !input.down(Key::control);
+    if (key == Key::f11 || by_alt) requests.ask(ToggleFullScreen{});
     if (!by_control) continue;
     ask_the_window_by_control(shift, key, switches, requests);
     if (open.typing) continue;

@@ -20,6 +20,7 @@ struct OverlaySwitches {
   std::string search = {};     ///< among the values of all tabs; empty: a tab is shown
   bool enters_search = false;  ///< the cursor is wanted in its field
   int tabs_further = 0;        ///< to the right; negative: to the left
+  int steps_larger = 0;        ///< how much larger the panel is; negative: smaller
   bool opens_file = false;     ///< a file is to be chosen
   bool saves = false;          ///< the crowd is to be saved
   bool saves_anew = false;     ///< under a name that is to be chosen
@@ -37,7 +38,7 @@ struct OpenThings {
   std::array<bool, bookmark_count> kept = {};  ///< [bookmark]: the person keeps a place there
 };
 
-/// Carries out the combinations with Ctrl or Alt that were pressed in this frame (README.md has the table).
+/// Carries out F11 and the combinations with Ctrl or Alt that were pressed in this frame (README.md has the table).
 /// While a text field has the keys, these are the ones that no text field knows.
 void apply_combinations(const InputFrame& input, const OpenThings& open, OverlaySwitches& switches, Requests& requests);
 

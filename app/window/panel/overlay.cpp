@@ -27,14 +27,24 @@ namespace throng::app {
 namespace {
 
 constexpr float column_width = 380, strip_height = 132;
-constexpr float most_of_width = 0.6F;  // that the column takes
+constexpr float least_column_width = 266;      // in which every row can be read
+constexpr float usual_of_width = 1.0F / 3.0F;  // that the column takes at most, unless it would be too narrow
+constexpr float most_of_width = 0.6F;          // that it takes in any case
+constexpr float lowest_scale = 0.5F, highest_scale = 4.0F, scale_step = 1.1F;
 
 struct Layout {
   Area crowd, strip, column;
 };
 
-Layout lay_out(const Theme& theme, ImVec2 size) {
-  const float column_x = size.x - std::min(theme.px(column_width), std::floor(size.x * most_of_width));
+/// Returns the width of the column in a picture of `width`; of `dragged` pixels of a plain screen, if it was dragged.
+float column_width_in(float width, float scale, std::optional<float> dragged) {
+  const float least = std::min(least_column_width * scale, std::floor(width * most_of_width));
+  if (dragged) return std::clamp(*dragged * scale, least, std::max(least, std::floor(width * most_of_width)));
+  return std::min(column_width * scale, std::max(least, std::floor(width * usual_of_width)));
+}
+
+Layout lay_out(const Theme& theme, std::optional<float> dragged, ImVec2 size) {
+  const float column_x = size.x - column_width_in(size.x, theme.scale, dragged);
   const float strip_y = size.y - std::min(theme.px(strip_height), std::floor(size.y * 0.4F));
   return {.crowd = {.from = {0, 0}, .to = {column_x, strip_y}},
           .strip = {.from = {0, strip_y}, .to = {column_x, size.y}},
@@ -54,7 +64,7 @@ Context make_context() {
 
 float column_share(int width, float scale) {
   const auto all = static_cast<float>(width);
-  return std::min(column_width * scale, std::floor(all * most_of_width)) / all;
+  return column_width_in(all, scale, {}) / all;
 }
 
 struct Overlay::State {
@@ -74,6 +84,12 @@ struct Overlay::State {
   bool has_dialog = false;    ///< which has pointer and keyboard
   bool shows_viewer = false;  ///< which has no strip
   bool is_in_a_change = false;
+  std::filesystem::path fonts;
+  std::optional<float> dragged_width = {};  ///< of the column, in pixels of a plain screen; none: it has its usual one
+
+  [[nodiscard]] Layout layout() const { return lay_out(theme, dragged_width, ImGui::GetIO().DisplaySize); }
+  void make_letters(float scale);
+  void show_edge(const Layout& layout);
   void take_keys_of_panel(const FrameReport& report);
   void apply_keys(const FrameReport& report, Tuning& tuning, Requests& requests);
   void show_dialogs(const FrameReport& report, const InputFrame& keys, Requests& requests);
@@ -85,18 +101,35 @@ struct Overlay::State {
 Overlay::Overlay(const std::filesystem::path& fonts, float scale, const Tuning& standard, const Clipboard& clipboard)
     : state_(std::make_unique<State>()) {
   ImGui::SetCurrentContext(state_->context.get());
-  state_->theme = apply_theme(fonts, scale);
+  state_->fonts = fonts;
+  state_->make_letters(scale);
   state_->standard = standard;
   state_->clipboard.clipboard = clipboard;
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
   io.LogFilename = nullptr;
   connect(io, state_->clipboard);
-  io.Fonts->Build();
-  io.Fonts->SetTexID(imgui::texture_id(1));  // until a renderer has one: with none, ImGui misses text drawn without it
 }
 
 Overlay::~Overlay() = default;
+
+void Overlay::State::make_letters(float scale) {
+  const bool has_ground = theme.panels_have_ground;
+  ImFontAtlas& letters = *ImGui::GetIO().Fonts;
+  letters.Clear();
+  theme = apply_theme(fonts, scale);
+  theme.panels_have_ground = has_ground;
+  letters.Build();
+  letters.SetTexID(imgui::texture_id(1));  // until a renderer has one: with none, ImGui misses text drawn without it
+}
+
+bool Overlay::set_scale(float scale) {
+  const float wanted = std::clamp(scale * std::pow(scale_step, static_cast<float>(state_->switches.steps_larger)),
+                                  lowest_scale, highest_scale);
+  if (wanted == state_->theme.scale) return false;
+  state_->make_letters(wanted);
+  return true;
+}
 
 void Overlay::begin_frame(int width, int height, double seconds, const InputFrame& input) {
   state_->input = input;
@@ -126,10 +159,11 @@ Requests Overlay::build(const FrameReport& report, const Tuning& before) {
   const auto clicked = state.click.update(state.input, !uses_pointer());
   if (clicked && !report.viewer) requests.ask(SelectAt{*clicked});
   state.apply_keys(report, tuning, requests);
-  const Layout layout = lay_out(state.theme, ImGui::GetIO().DisplaySize);
+  const Layout layout = state.layout();
   state.shows_viewer = report.viewer.has_value();
   if (!state.switches.hidden) {
     const TabContext context{state.widgets, report, tuning, state.standard, requests, state.memory};
+    state.show_edge(layout);
     if (report.viewer) {
       state.show_viewer(layout, context);
     } else {
@@ -209,6 +243,22 @@ void Overlay::State::save(const FrameReport& report, bool anew, Requests& reques
   picker.open(FilePicker::Purpose::save);
 }
 
+// It is shown before the column, which so lies below it.
+void Overlay::State::show_edge(const Layout& layout) {
+  const float x = layout.column.from.x, bottom = layout.column.to.y;
+  const Area edge{.from = {x, 0}, .to = {x + theme.px(6), bottom}};
+  begin_fixed_window("Edge", edge, 0, ImGuiWindowFlags_NoBackground);
+  widgets.hoverable("panel edge", edge);
+  if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
+    dragged_width = (layout.column.to.x - ImGui::GetMousePos().x) / theme.scale;
+  }
+  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) dragged_width.reset();
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
+    ImGui::GetWindowDrawList()->AddRectFilled({x, 0}, {x + theme.px(2), bottom}, colour::accent);
+  }
+  ImGui::End();
+}
+
 void Overlay::State::show_crowd(const Layout& layout, const TabContext& context_of_tab) {
   const FrameReport& report = context_of_tab.report;
   Area below_notices = layout.crowd;
@@ -236,7 +286,7 @@ const UiMap& Overlay::ui_map() const { return state_->map; }
 UiRectangle Overlay::crowd_area() const {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   if (state_->switches.hidden) return {.width = size.x, .height = size.y};
-  const Area crowd = lay_out(state_->theme, size).crowd;
+  const Area crowd = state_->layout().crowd;
   return {.width = crowd.width(), .height = state_->shows_viewer ? size.y : crowd.height()};
 }
 

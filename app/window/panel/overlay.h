@@ -23,7 +23,8 @@ float column_share(int width, float scale);
 ///   +--------------------------------+-----------+
 ///   | notices                        | tabs      |   The column is 380 pixels wide and the strip 132 high (times
 ///   |            crowd               | Crowd,    |   the scale); the crowd keeps the rest, 900 x 588 of
-///   |                                | LOD, ...  |   1280 x 720.
+///   |                                | LOD, ...  |   1280 x 720. In a narrow window the column takes a third; a
+///   |                                |           |   person drags its edge.
 ///   +--------------------------------+           |
 ///   | frame graph                    |           |
 ///   +--------------------------------+-----------+
@@ -39,6 +40,10 @@ class Overlay {
   ~Overlay();
   Overlay(const Overlay&) = delete;
   Overlay& operator=(const Overlay&) = delete;
+
+  /// Takes another scale before a frame, beside the one that the person chose by keys. Returns whether letters were
+  /// made anew, which a renderer has to be prepared for.
+  bool set_scale(float scale);
 
   /// Begins a frame, `seconds` after the one before. `width` and `height` are pixels of the picture, above 0.
   void begin_frame(int width, int height, double seconds, const InputFrame& input);

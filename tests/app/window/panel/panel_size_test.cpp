@@ -1,0 +1,74 @@
+// How large the panel is beside the crowd.
+#include <gtest/gtest.h>
+
+#include "tests/app/window/panel/overlay_driver.h"
+
+namespace throng::app::panel_size_test {
+namespace {
+
+struct PanelSize : testing::Test {
+  void press_control(Key key) {
+    driver.hold(Key::control);
+    driver.press(key);
+    driver.let_go(Key::control);
+    driver.overlay.set_scale(1);
+    driver.frames();
+  }
+  float crowd_width() const { return driver.overlay.crowd_area().width; }
+  void drag_edge(float to) {
+    driver.point_at("panel edge", 0.5F);
+    driver.button(true);
+    driver.frames();
+    driver.point_at(to, 300);
+    driver.frames();
+    driver.button(false);
+    driver.frames(30);
+  }
+
+  OverlayDriver driver;
+};
+
+TEST_F(PanelSize, LeavesTwoThirdsOfASmallWindowToThePicture) {
+  EXPECT_GE(1 - column_share(800, 1), 2.0F / 3.0F);
+  EXPECT_FLOAT_EQ(column_share(1280, 1), 380.0F / 1280);
+}
+
+TEST_F(PanelSize, GrowsAndShrinksByKeysWithinBounds) {
+  const float usual = crowd_width();
+  press_control(Key::minus);
+  EXPECT_GT(crowd_width(), usual);
+  press_control(Key::digit_0);
+  EXPECT_EQ(crowd_width(), usual);
+  for (int i = 0; i < 30; ++i) press_control(Key::plus);
+  EXPECT_GE(crowd_width(), 0.4F * OverlayDriver::width);
+  press_control(Key::digit_0);
+  EXPECT_EQ(crowd_width(), usual);
+}
+
+TEST_F(PanelSize, IsDraggedAtItsEdgeAndADoubleClickTakesThatBack) {
+  const float usual = crowd_width();
+  drag_edge(700);
+  EXPECT_NEAR(crowd_width(), 700, 1);
+  drag_edge(10);
+  EXPECT_NEAR(crowd_width(), 0.4F * OverlayDriver::width, 1) << "the crowd keeps a part";
+  driver.double_click("panel edge");
+  EXPECT_EQ(crowd_width(), usual);
+}
+
+TEST_F(PanelSize, FollowsTheDisplay) {
+  const float usual = crowd_width();
+  EXPECT_FALSE(driver.overlay.set_scale(1)) << "it has that scale";
+  EXPECT_TRUE(driver.overlay.set_scale(1.25F));
+  driver.frames();
+  EXPECT_LT(crowd_width(), usual);
+}
+
+TEST_F(PanelSize, LeavesTheWindowToF11AndAltEnter) {
+  EXPECT_TRUE(asks<ToggleFullScreen>(driver.press(Key::f11)));
+  EXPECT_FALSE(asks<ToggleFullScreen>(driver.press(Key::enter)));
+  driver.hold(Key::alt);
+  EXPECT_TRUE(asks<ToggleFullScreen>(driver.press(Key::enter)));
+}
+
+}  // namespace
+}  // namespace throng::app::panel_size_test

@@ -33,7 +33,8 @@ Status has_agent(const Stage& stage, std::uint32_t agent) {
 Status exchange(std::vector<CharacterSource> characters, const Tuning& tuning,
                 std::shared_ptr<const Trajectories> trajectories, ShowParts& show) {
   const Stage& before = *show.stage;
-  const bool same_tracks = tuning.scene == Scene::tracks && trajectories == before.trajectories();
+  const bool same_tracks =
+      tuning.scene == Scene::tracks && before.tuning().scene == Scene::tracks && trajectories == before.trajectories();
   auto made = Stage::create(std::move(characters), tuning, show.painter->palette_pages(), before.posed().frame(),
                             std::move(trajectories));
   if (!made) return made.error();

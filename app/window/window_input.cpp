@@ -148,6 +148,13 @@ const InputFrame& WindowInput::next_frame() {
   return queue_.next_frame();
 }
 
+void WindowInput::wait(double seconds) { glfwWaitEventsTimeout(seconds); }
+
+bool WindowInput::is_out_of_sight() const {
+  return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != GLFW_FALSE ||
+         glfwGetWindowAttrib(window_, GLFW_VISIBLE) == GLFW_FALSE;
+}
+
 bool WindowInput::takes_close() {
   const bool asked = glfwWindowShouldClose(window_) != GLFW_FALSE;
   glfwSetWindowShouldClose(window_, GLFW_FALSE);

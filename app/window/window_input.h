@@ -15,11 +15,17 @@ class WindowInput {
   WindowInput(const WindowInput&) = delete;
   WindowInput& operator=(const WindowInput&) = delete;
 
+  /// Waits until something happens at the window, at most so many seconds. next_frame() has it.
+  static void wait(double seconds);
+
   /// Polls the window's events and returns the input of this frame, which is valid until the next call.
   const InputFrame& next_frame();
 
   /// Returns once whether the window's close button was pressed.
   bool takes_close();
+
+  /// Returns whether the window is minimised or hidden.
+  bool is_out_of_sight() const;
 
   /// Returns how much larger than on a plain screen things are to be on the display that the window is on.
   float content_scale() const;

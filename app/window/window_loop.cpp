@@ -27,6 +27,9 @@ namespace {
 
 constexpr double longest_step = 0.1;  // seconds: a breakpoint or a dragged window does not make the crowd jump
 constexpr double single_step = 1.0 / 60.0;
+constexpr double unseen_step = 0.1;    // seconds between frames of a window out of sight
+constexpr double resting_step = 0.25;  // of a crowd that stands still
+constexpr int frames_until_rest = 120;
 
 bool is_used(const InputFrame& input) {
   return input.buttons_down.any() || input.keys_down.any() || !input.pressed.empty() || !input.characters.empty() ||
@@ -89,12 +92,14 @@ class WindowLoop {
   void run_frame() {
     Show& show = session_.show;
     FrameReporter& reporter = session_.reporter;
+    wait_where_nothing_happens();
     const Clock::time_point now = Clock::now();
     const double seconds = std::min(std::chrono::duration<double>(now - last_frame_).count(), longest_step);
     last_frame_ = now;
-    picture_.fit_to_window();
+    picture_.fit_to_window(session_.input.is_out_of_sight());
     picture_.scale(overlay_, panel_scale());
     const InputFrame& input = session_.input.next_frame();
+    still_frames_ = stands_still() && !is_used(input) ? still_frames_ + 1 : 0;
     const Clock::time_point overlay_start = Clock::now();
     overlay_.begin_frame(picture_.window_size().x, picture_.window_size().y, seconds, input);
     session_.camera.see_beside(overlay_.crowd_area(), picture_.window_size(), show);
@@ -124,12 +129,24 @@ class WindowLoop {
     picture_.build_saved_shaders(now);
     const double frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - now).count();
     const auto work = picture_.drawn_at() - now;
-    session_.rate.add_frame(std::chrono::duration<double, std::milli>(work).count(), session_.editor.tuning());
+    if (picture_.is_seen())
+      session_.rate.add_frame(std::chrono::duration<double, std::milli>(work).count(), session_.editor.tuning());
     reporter.update(show, session_.camera.place(), frame_ms);
     write_ui_map();
     reporter.messages().report(show.recorder().outcome());
     const bool leaves_replay = replay_ && last_of<Quit>(requests) != nullptr;
     done_ = !failed_ || leaves_replay || requests_.closes() || asked_to_stop() != 0;
+  }
+
+  bool stands_still() const {
+    return session_.editor.tuning().paused && !replay_ && session_.show.viewer() == nullptr && !session_.sweep.runs();
+  }
+
+  // A run of so many frames ends as soon as it can.
+  void wait_where_nothing_happens() {
+    if (session_.options.frames_given) return;
+    if (!picture_.is_seen()) return WindowInput::wait(unseen_step);
+    if (still_frames_ > frames_until_rest) WindowInput::wait(resting_step);
   }
 
   void refuse_drop(const std::string& file) {
@@ -177,6 +194,7 @@ class WindowLoop {
   Clock::time_point last_frame_ = Clock::now();
   Status failed_ = Done{};
   bool done_ = false;
+  int still_frames_ = 0;  // in a row, in which nothing happened
 };
 
 }  // namespace

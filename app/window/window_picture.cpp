@@ -31,11 +31,11 @@ void WindowPicture::scale(Overlay& overlay, float scale) {
   if (overlay.set_scale(scale)) messages_.report(show_.painter().renderer().prepare_overlay());
 }
 
-void WindowPicture::fit_to_window() {
+void WindowPicture::fit_to_window(bool out_of_sight) {
   ShowView& view = show_.view();
   const glm::ivec2 size = show_.painter().context().framebuffer_size();
-  minimised_ = size.x <= 0 || size.y <= 0;
-  if (minimised_) return;
+  is_seen_ = !out_of_sight && size.x > 0 && size.y > 0;
+  if (!is_seen_) return;
   const glm::ivec2 drawn = glm::max((size * show_.stage().tuning().picture_size + 50) / 100, glm::ivec2(1));
   if (size == size_ && drawn == glm::ivec2(view.width, view.height)) return;
   const bool fits = messages_.report(show_.painter().renderer().set_size(size, drawn));
@@ -55,7 +55,7 @@ bool WindowPicture::keeps_panel(bool is_used) {
 }
 
 Status WindowPicture::present(Overlay& overlay, bool is_used) {
-  if (minimised_) return Done{};
+  if (!is_seen_) return Done{};
   render::Renderer& renderer = show_.painter().renderer();
   const UiRectangle crowd = overlay.crowd_area();
   if (show_.painter().is_on_software()) {

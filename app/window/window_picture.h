@@ -24,9 +24,10 @@ class WindowPicture {
   Status prepare(Overlay& overlay);
   /// Gives the panel that scale, if it has another.
   void scale(Overlay& overlay, float scale);
-  /// Takes the size of the window, and of the picture in it. A minimised window has no pixels: the crowd goes on,
-  /// unseen.
-  void fit_to_window();
+  /// Takes the size of the window, and of the picture in it. Of a window out of sight nothing is drawn: the crowd goes
+  /// on, unseen.
+  void fit_to_window(bool out_of_sight);
+  bool is_seen() const { return is_seen_; }
   /// Returns the pixels of the window, in which the panel is drawn and the pointer is.
   glm::ivec2 window_size() const { return size_; }
   /// Draws the show with the panel over it. `is_used` says whether a person uses mouse or keys now: else a processor
@@ -48,7 +49,7 @@ class WindowPicture {
   Clock::time_point drawn_at_ = Clock::now();
   int frames_with_panel_ = 0;  // that are still to come in a row
   int frames_without_panel_ = 0;
-  bool minimised_ = false;
+  bool is_seen_ = true;
 };
 
 }  // namespace throng::app

@@ -241,6 +241,7 @@ std::vector<TuningValue> detail_values() {
                " get coarser meshes than --mesh-error-px asks for",
            .most = 1'000'000'000,
            .zero = "no limit",
+           .device_decides = true,
            .track = {.most = 1'000'000, .zero_word = "none"}},
           at(&Tuning::triangle_budget)),
   };

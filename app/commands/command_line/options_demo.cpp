@@ -94,7 +94,7 @@ void declare_picture(OptionReader& reader, DemoOptions& options) {
                number_between(options.aperture, 0.1F, 64));
   reader.value("--quality", "NAME",
                "low, medium or high: picture size, triangle limit, shadows and crowd shade together; or auto: what the"
-               " device shows at --frame-rate in a window (auto on a processor, else high)",
+               " device shows at --frame-rate (auto in a window, else high)",
                quality(options));
   reader.value("--msaa", "0|4", "Samples a pixel (what the device affords)",
                choice<int>(options.msaa, {{"0", 0}, {"4", 4}}));

@@ -44,7 +44,7 @@ Tuning all_changed() {
   for (const TuningValue& row : tuning_values()) {
     const std::string before = row.text(tuning);
     for (const char* const text : {"off", "on", "3", "0.3", "2", "stadium", "levels", "inline", "keyframe", "packed",
-                                   "all", "interval", "pattern", "cold"}) {
+                                   "all", "interval", "pattern", "cold", "40"}) {
       if (row.text(tuning) == before) row.read(tuning, text);
     }
     EXPECT_NE(row.text(tuning), before) << row.key;
@@ -172,13 +172,15 @@ TEST(SetOption, IsRefusedByKey) {
 }
 
 TEST(TuningAsOptions, SaysWhatDiffersAndWhatADeviceWouldDecide) {
-  EXPECT_EQ(command_line({}, {}, {}), "--agents 1000 --shadows on --crowd-shade on --set error_px=1");
+  EXPECT_EQ(
+      command_line({}, {}, {}),
+      "--agents 1000 --shadows on --crowd-shade on --frame-rate 30 --set error_px=1,triangle_budget=0,holds_rate=off");
   Tuning tuning;
   tuning.agents = 5000;
   tuning.lod.level_distances[1] = 31.5F;
-  EXPECT_EQ(
-      command_line(tuning, {}, CameraPose{0, 2, 9, 0, -5, 50}),
-      "--agents 5000 --shadows on --crowd-shade on --set error_px=1,bone_level_distance_2=31.5 --camera 0,2,9,0,-5,50");
+  EXPECT_EQ(command_line(tuning, {}, CameraPose{0, 2, 9, 0, -5, 50}),
+            "--agents 5000 --shadows on --crowd-shade on --frame-rate 30 --set "
+            "error_px=1,bone_level_distance_2=31.5,triangle_budget=0,holds_rate=off --camera 0,2,9,0,-5,50");
 }
 
 TEST(TuningAsOptions, MakesTheSameTuningAgain) {
@@ -188,7 +190,8 @@ TEST(TuningAsOptions, MakesTheSameTuningAgain) {
     EXPECT_EQ(demo(command_line(tuning, {}, {})).tuning, tuning) << line;
   }
   EXPECT_EQ(command_line(demo("--lod off").tuning, {}, {}),
-            "--agents 1000 --lod off --shadows on --crowd-shade on --set error_px=1");
+            "--agents 1000 --lod off --shadows on --crowd-shade on --frame-rate 30 --set "
+            "error_px=1,triangle_budget=0,holds_rate=off");
 }
 
 TEST(TuningAsOptions, SaysByKeyWhatNoOptionTakes) {

@@ -98,7 +98,7 @@ TEST_F(CrowdFile, HoldsTheBuiltInCharacterWithoutAModel) {
 
 // Some text of these is another value than the one that it has.
 bool takes_another(const TuningValue& value, Tuning& tuning) {
-  std::vector<std::string> texts{"on", "off", "0", "1", "2", "0.5", "16"};
+  std::vector<std::string> texts{"on", "off", "0", "1", "2", "0.5", "16", "50"};
   texts.insert(texts.end(), value.words.begin(), value.words.end());
   const std::string before = value.text(tuning);
   return std::ranges::any_of(

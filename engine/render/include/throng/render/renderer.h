@@ -114,10 +114,9 @@ class Renderer {
 
   /// Prepares draw_overlay(). An ImGui context must be current and its fonts added; call it again after adding fonts.
   Status prepare_overlay();
-  void draw_overlay(const ImDrawData& data) { draw_overlay(data, false); }
   /// Draws the overlay, and where `keeps_around`, leaves what it drew before outside of the part of draw_only(). A
   /// picture whose scene is not stretched is drawn anew in any case.
-  void draw_overlay(const ImDrawData& data, bool keeps_around);
+  void draw_overlay(const ImDrawData& data, bool keeps_around = false);
 
   /// Shows the picture in the context's window.
   void present();

@@ -45,6 +45,7 @@ struct CharacterSource {
   std::optional<std::string> rules = {};     ///< its rules, or what a person tuned, as JSON; empty: no agent dresses.
                                              ///< Nothing: the file was not read yet
   bool rules_are_chosen = false;             ///< a person chose or tuned them, so crowd files keep them
+  bool order_is_chosen = false;              ///< a person chose the order of its bones since it was loaded
   std::vector<std::string> cast;             ///< names of all characters of its file
   std::size_t cast_index = 0;                ///< of this character among them
   std::vector<std::string> clip_files = {};  ///< other files whose clips it plays too

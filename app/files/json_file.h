@@ -26,4 +26,9 @@ class JsonFile {
   JsonRemedies remedies_;
 };
 
+/// Returns the name of a file as a text, or as a list of its bytes where they are no UTF-8, which JSON demands.
+Json name_json(const std::string& file);
+/// Reads such a name. Returns whether it is one.
+bool read_name(const Json& json, std::string& file);
+
 }  // namespace throng::app

@@ -13,6 +13,7 @@ inline constexpr std::array<const char*, 6> scene_words = {"plaza", "parade", "s
 inline const char* word_of(Scene scene) { return scene_words.at(static_cast<std::size_t>(scene)); }
 inline constexpr std::array<const char*, 2> clothes_words = {"own", "pattern"};
 inline constexpr std::array<const char*, 4> weather_words = {"mild", "warm", "cold", "rain"};
+inline constexpr std::array<const char*, 3> camera_path_words = {"none", "orbit", "pan"};
 inline constexpr std::array<const char*, 2> schedule_words = {"fused", "levels"};
 inline constexpr std::array<const char*, 3> double_buffer_words = {"off", "inline", "interleaved"};
 inline constexpr std::array<const char*, 4> swept_value_words = {"PUs", "store", "tile", "grain"};

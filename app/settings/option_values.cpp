@@ -178,11 +178,23 @@ ValueReader camera(DemoOptions& options) {
       options.camera.reset();
       return any_text(options.camera_name)(text);
     }
+    options.camera_name.clear();
     options.camera = camera_pose_in(text);
     if (!options.camera) {
       return "must be a camera's name or x,y,z,yaw,pitch[,fov]: metres, degrees, none beyond a million, pitch -90 to "
              "90, fov 1 to 170";
     }
+    return {};
+  };
+}
+
+ValueReader camera_path(DemoOptions& options) {
+  return [&options](const std::string& text) -> Complaint {
+    options.camera_path_file = text.ends_with(".csv") ? text : std::string();
+    if (!options.camera_path_file.empty()) return {};
+    const auto* const named = std::ranges::find(camera_path_words, text);
+    if (named == camera_path_words.end()) return "must be none, orbit, pan, or a file that ends in .csv";
+    options.camera_path = static_cast<CameraPath>(named - camera_path_words.begin());
     return {};
   };
 }

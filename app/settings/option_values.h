@@ -65,6 +65,7 @@ ValueReader number_above_zero(float& target, std::string unit);
 ValueReader times_list(std::vector<double>& target);  ///< T[,T...] in seconds, none negative
 ValueReader image_size(int& width, int& height);      ///< WxH in pixels, each 1 to most_picture_pixels
 ValueReader camera(DemoOptions& options);             ///< a name, follow:ID, or a text of camera_pose_in()
+ValueReader camera_path(DemoOptions& options);        ///< none, orbit, pan, or a file that ends in .csv
 /// Returns the finite number in a text; nothing where it is none.
 std::optional<double> finite_number_in(const std::string& text);
 /// Returns a camera of x,y,z,yaw,pitch[,fov], in metres and degrees; nothing where the text is none.

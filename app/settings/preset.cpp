@@ -23,13 +23,6 @@ std::optional<std::string> text_of(const Json& value) {
   return {};
 }
 
-Complaint take_value(const ValueReader& reader, const std::string& key, const Json& value) {
-  const std::optional<std::string> text = text_of(value);
-  if (!text) return "\"" + key + "\" must be a number, a word, true or false";
-  const Complaint complaint = reader(*text);
-  return complaint ? Complaint("\"" + key + "\" " + *complaint) : Complaint();
-}
-
 Complaint take_key(const std::string& key, const Json& value, Preset& preset) {
   if (key == "camera") return read_camera_pose(key, value, preset.camera);
   const TuningValue* const row = find_tuning_value(key);
@@ -61,6 +54,13 @@ Tuning settled(Tuning defaults, const Tuning& tuning) {
 }
 
 }  // namespace
+
+Complaint take_value(const ValueReader& reader, const std::string& key, const Json& value) {
+  const std::optional<std::string> text = text_of(value);
+  if (!text) return "\"" + key + "\" must be a number, a word, true or false";
+  const Complaint complaint = reader(*text);
+  return complaint ? Complaint("\"" + key + "\" " + *complaint) : Complaint();
+}
 
 Json to_json(const Preset& preset) {
   Json json;
@@ -168,6 +168,7 @@ std::string command_line(const Tuning& tuning, const Tuning& defaults, const std
   for (const TuningValue& row : tuning_values()) {
     const std::string text = row.text(tuning);
     if (text == row.text(expected) && !row.device_decides) continue;
+    if (tuning.scene == Scene::tracks && row.key == "agents") continue;  // the file has as many as it has
     const bool option_says_it = !row.option.empty() && !row.option_does_more && (text != "0" || row.zero.empty());
     if (option_says_it) {
       line.append(line.empty() ? "" : " ").append(row.option_name()).append(" ").append(text);

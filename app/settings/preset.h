@@ -25,6 +25,8 @@ Json to_json(const Preset& preset);
 /// Reads an object of to_json() into `preset`. Keys that are missing leave `preset` as it is. A complaint names the key
 /// and what is allowed; then nothing has changed.
 Complaint from_json(const Json& json, Preset& preset);
+/// Reads a number, a word, true or false by the reader of its text. A complaint names the key.
+Complaint take_value(const ValueReader& reader, const std::string& key, const Json& value);
 /// Reads the place of a camera, as "camera" has it. A complaint names the key.
 Complaint read_camera_pose(const std::string& key, const Json& json, std::optional<CameraPose>& place);
 /// Reads a text, which may not be JSON, as from_json() does.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,8 @@
 #include "engine/tracks/reading.h"
 
 namespace throng::app {
+
+struct CrowdSetup;
 
 enum class Scene : std::uint8_t { plaza, parade, stadium, grid, film, tracks };
 enum class ContextKind : std::uint8_t { window, headless_default, egl, osmesa, none };
@@ -68,6 +71,14 @@ struct LodInspection {
 
   friend bool operator==(const LodInspection&, const LodInspection&) = default;
 };
+
+/// Returns the ways to look of one, with the values of the other that presets keep.
+inline LodInspection with_kept_values(LodInspection looks, const LodInspection& kept) {
+  looks.forced_interval = kept.forced_interval;
+  looks.forced_bone_level = kept.forced_bone_level;
+  looks.force_selected_only = kept.force_selected_only;
+  return looks;
+}
 
 /// Every value that can be tuned while the crowd runs. The overlay edits a copy, and the demo applies it at a frame
 /// boundary.
@@ -154,11 +165,13 @@ inline constexpr int most_labelled_agents = 65534;  ///< an id mask has 16 bits;
 /// The recorded or simulated crowd that a run shows.
 struct TrajectoryOptions {
   std::string file;  ///< empty: there is none
-  TrackReading reading;
-  std::optional<double> start;  ///< seconds of the file's clock; unset: where the part begins in the way it is played
-  std::optional<double> rate;   ///< seconds of the file's clock a second, not 0; below 0: backwards
-  std::optional<std::pair<double, double>> part;  ///< seconds of the file's clock, in any order; unset: all of it
-  bool repeats = false;                           ///< without a window too
+  TrackReading reading = {};
+  std::optional<double> start = {};  ///< seconds of the file's clock; unset: where its part begins as it is played
+  std::optional<double> rate = {};   ///< seconds of the file's clock a second, not 0; below 0: backwards
+  std::optional<std::pair<double, double>> part = {};  ///< seconds of the file's clock, in any order; unset: all of it
+  std::optional<bool> repeats = {};                    ///< the part begins anew at its end; unset: in a window alone
+
+  friend bool operator==(const TrajectoryOptions&, const TrajectoryOptions&) = default;
 };
 
 /// Says what a headless run writes of each of its frames (app/output/README.md).
@@ -182,13 +195,14 @@ struct GivenValues {
 
 /// The options of the demo (app/commands/command_line/README.md). It starts with `tuning`.
 struct DemoOptions {
-  std::string crowd_file;                  ///< NAME.throng, which names the characters; empty: none was named
-  std::vector<std::string> models;         ///< files and folders, even shares; empty: `cast`
-  std::vector<CastEntry> cast;             ///< files and folders with shares; empty: the built-in character
-  std::string cast_rules;                  ///< the file of rules for clothes; empty: as beside the models
-  std::vector<std::string> clips_from;     ///< files whose clips every character plays too
-  anim::PlacementChoice placement;         ///< size and place of all models; what it leaves open is guessed
-  std::vector<ModelPlacement> placements;  ///< of single models, over the one of all
+  std::string crowd_file;                   ///< NAME.throng, which `crowd` was read from; empty: none was named
+  std::shared_ptr<const CrowdSetup> crowd;  ///< what a crowd file or --crowd says; null: there is none
+  std::vector<std::string> models;          ///< files and folders, even shares; empty: `cast`
+  std::vector<CastEntry> cast;              ///< files and folders with shares; empty: the built-in character
+  std::string cast_rules;                   ///< the file of rules for clothes; empty: as beside the models
+  std::vector<std::string> clips_from;      ///< files whose clips every character plays too
+  anim::PlacementChoice placement;          ///< size and place of all models; what it leaves open is guessed
+  std::vector<ModelPlacement> placements;   ///< of single models, over the one of all
   TrajectoryOptions trajectories;
   Tuning tuning;
   ContextKind context = ContextKind::window;

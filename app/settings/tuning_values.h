@@ -35,7 +35,7 @@ struct TuningValue {
   std::string_view zero = {};     ///< the meaning of 0, "all cores", which the option does not take
   bool option_does_more = false;  ///< the option also changes other values
   bool only_schedules = false;    ///< poses do not depend on it: a replay takes it from the command line
-  bool device_decides = false;    ///< a window on a software renderer starts with another value unless it is given
+  bool device_decides = false;    ///< a window starts with another value on some devices unless it is given
   Track track = {};
   Form form = Form::number;
   std::span<const char* const> words = {};  ///< the words of an enumeration, in its order

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include "app/people/crowd/cast.h"
+#include "app/settings/choices.h"
 #include "app/show/camera/fly_camera.h"
 #include "app/show/stage/stage.h"
 #include "app/show/track_cameras.h"
@@ -39,6 +40,17 @@ render::Camera CameraGuide::home(const Stage& stage, float aspect, const Picture
 
 bool CameraGuide::can_film(const Stage& stage) const {
   return has_path() || stage.animated().cut_scene() != nullptr || is_live(stage);
+}
+
+std::string CameraGuide::path_text() const {
+  if (!keys_.empty()) return file_;
+  return path_ == CameraPath::none ? "" : camera_path_words.at(static_cast<std::size_t>(path_));
+}
+
+std::string CameraGuide::camera_text(const Stage& stage, bool films) const {
+  if (films) return is_live(stage) ? live_name_ : "";
+  if (!behind_ || !behind_->agent()) return {};
+  return std::string("follow:").append(follow_name(stage, *behind_->agent()));
 }
 
 render::Camera CameraGuide::moved(const Stage& stage, const render::Camera& camera, bool films, float aspect,

@@ -30,8 +30,13 @@ class CameraGuide {
   /// Takes a path that begins at `start`.
   void take_path(CameraPath path, const render::Camera& start) { path_ = path, start_ = start; }
 
-  /// Takes a path of keys in its place.
-  void take_keys(std::vector<CameraKey> keys) { keys_ = std::move(keys); }
+  /// Takes a path of keys in its place, from a file.
+  void take_keys(std::vector<CameraKey> keys, std::string file) { keys_ = std::move(keys), file_ = std::move(file); }
+
+  /// Returns the path as `--camera-path` takes it; empty: there is none.
+  std::string path_text() const;
+  /// Returns what else `--camera` takes than a place: the name of a live crowd's camera, or follow:ID; empty: nothing.
+  std::string camera_text(const Stage& stage, bool films) const;
 
   /// Returns where the camera begins in the scene on the stage, which may be another one than before. A path begins
   /// there too.
@@ -72,6 +77,7 @@ class CameraGuide {
 
   CameraPath path_ = CameraPath::none;
   std::vector<CameraKey> keys_;  // empty: path_ gives the way
+  std::string file_;             // of the keys
   render::Camera start_;
   bool follows_ = false;
   std::optional<Followed> followed_;

@@ -93,6 +93,12 @@ render::Camera FollowCamera::moved(const Stage& stage, const render::Camera& cam
   return next;
 }
 
+std::string follow_name(const Stage& stage, std::uint32_t agent) {
+  const bool has_id = stage.tuning().scene == Scene::tracks && stage.trajectories() != nullptr;
+  const std::string id = has_id ? stage.trajectories()->persons[agent].id : "";
+  return id.empty() ? std::string("#").append(std::to_string(agent)) : id;
+}
+
 Result<FollowCamera> follow_camera(const Stage& stage, const std::string& name) {
   const Trajectories* const all = stage.tuning().scene == Scene::tracks ? stage.trajectories().get() : nullptr;
   if (const auto person = all != nullptr && !all->is_live ? person_of(*all, name) : std::nullopt) {

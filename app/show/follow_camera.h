@@ -50,4 +50,7 @@ class FollowCamera {
 /// crowd. Errors: no agent has the name.
 Result<FollowCamera> follow_camera(const Stage& stage, const std::string& name);
 
+/// Returns the name that follow_camera() finds this agent by.
+std::string follow_name(const Stage& stage, std::uint32_t agent);
+
 }  // namespace throng::app

@@ -11,7 +11,7 @@
 #include "app/files/nearest_names.h"
 #include "app/files/progress_bar.h"
 #include "app/files/progress_line.h"
-#include "app/show/camera/fly_camera.h"
+#include "app/show/beginning.h"
 #include "app/show/lod/tuned_view.h"
 #include "app/show/show_parts.h"
 #include "app/show/stage/memory_needs.h"
@@ -60,31 +60,6 @@ std::unique_ptr<LiveCrowd> open_live(const DemoOptions& options, std::unique_ptr
                                      pace);
 }
 
-/// Takes a recorded crowd to the part and the moment that the command line names.
-bool begin_tracks(Stage& stage, const DemoOptions& options, StartError& error) {
-  const Trajectories* const all = stage.trajectories().get();
-  if (all == nullptr || all->is_live) return true;
-  TrackClock clock = stage.crowd().tracks()->clock();
-  const TrajectoryOptions& asked = options.trajectories;
-  const auto has = [clock](double seconds) { return seconds >= clock.first && seconds <= clock.last; };
-  const auto refuse = [&](const std::string& option) {
-    return fail(error, exit_usage,
-                option + ": " + all->file + " has rows from " + std::to_string(clock.first) + " to " +
-                    std::to_string(clock.last) + " s of its clock");
-  };
-  if (asked.part && !(has(asked.part->first) && has(asked.part->second))) return refuse("--track-part");
-  if (asked.start && !has(*asked.start)) return refuse("--start");
-  clock.repeats = asked.repeats || options.context == ContextKind::window;
-  clock.rate = asked.rate.value_or(1.0);
-  if (asked.part) clock = with_part(clock, asked.part->first, asked.part->second);
-  if (asked.start && (*asked.start < clock.first || *asked.start > clock.last)) {
-    return fail(error, exit_usage, "--start: lies outside of the part that --track-part names");
-  }
-  clock.seconds = asked.start.value_or(clock.rate < 0.0 ? clock.last : clock.first);
-  stage.set_track_clock(clock);
-  return true;
-}
-
 bool open_stage(ShowParts& show, std::vector<CharacterSource> characters, const DemoOptions& options, ProgressBar& line,
                 StartError& error) {
   Tuning tuning = with_choices(options.tuning, show.painter->device_choices());
@@ -93,7 +68,9 @@ bool open_stage(ShowParts& show, std::vector<CharacterSource> characters, const 
     trajectories = read_tracks(options.trajectories, error);
     if (trajectories == nullptr) return false;
   }
-  if (trajectories != nullptr) tuning.agents = static_cast<int>(trajectories->persons.size());
+  if (trajectories != nullptr && tuning.scene == Scene::tracks) {
+    tuning.agents = static_cast<int>(trajectories->persons.size());
+  }
   if (const Status fits = check_memory(tuning, characters, nullptr); !fits) {
     return fail(error, exit_job_failed, fits.error().message);
   }
@@ -114,45 +91,6 @@ bool open_stage(ShowParts& show, std::vector<CharacterSource> characters, const 
   return fail(
       error, exit_usage,
       "--select " + std::to_string(*options.selected) + ": the crowd has agents 0 to " + std::to_string(agents - 1));
-}
-
-// At a window the person is selected too, so that its card is there, and Esc ends it.
-bool follow_from_start(const std::string& name, ShowParts& show, const DemoOptions& options, StartError& error) {
-  const auto follow = follow_camera(*show.stage, name);
-  if (!follow) return fail(error, exit_usage, "--camera " + options.camera_name + ": " + follow.error().message);
-  const bool selects = options.context == ContextKind::window && follow->agent() && !options.selected;
-  if (selects) show.stage->select(follow->agent());
-  show.view.guide.follow_behind(*follow, selects);
-  show.view.camera = show.view.guide.moved(*show.stage, show.view.camera, false);
-  return true;
-}
-
-bool place_camera(ShowParts& show, const DemoOptions& options, StartError& error) {
-  constexpr std::string_view follows = "follow:";
-  ShowView& view = show.view;
-  const bool follows_person = options.camera_name.starts_with(follows);
-  const auto cameras = cameras_of(*show.stage, view.aspect());
-  const NamedCamera* named = find_camera(cameras, follows_person ? "" : options.camera_name);
-  if (named == nullptr) {
-    std::vector<std::string> names;
-    names.reserve(cameras.size());
-    for (const NamedCamera& each : cameras) names.emplace_back(each.name);
-    return fail(error, exit_usage,
-                "--camera " + options.camera_name + ": this scene has no such camera; it has " + joined(names));
-  }
-  view.camera = camera_at(options.camera.value_or(named->place));
-  view.guide.take_path(options.camera_path, view.camera);
-  if (!options.camera_path_file.empty()) {
-    auto keys = read_camera_keys(options.camera_path_file);
-    if (!keys) return fail(error, exit_job_failed, keys.error().message);
-    view.camera = along(*keys, 0.0);
-    view.guide.take_path(CameraPath::none, view.camera);
-    view.guide.take_keys(std::move(*keys));
-  }
-  if (show.live != nullptr && !options.camera) view.guide.frame_live(std::string(named->name));
-  view.films = options.camera_path != CameraPath::none || !options.camera_path_file.empty() ||
-               (!options.camera && (options.camera_name.empty() || show.live != nullptr));
-  return !follows_person || follow_from_start(options.camera_name.substr(follows.size()), show, options, error);
 }
 
 bool begin_viewing(Show& show, const std::string& clip, StartError& error) {

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <utility>
 
+#include "app/show/beginning.h"
 #include "app/show/request_history.h"
 #include "app/show/show_parts.h"
 #include "app/show/show_requests.h"
@@ -32,6 +33,12 @@ Status Show::replace_trajectories(std::shared_ptr<const Trajectories> trajectori
   Status replaced = app::replace_trajectories(std::move(trajectories), *parts_);
   notice_ = notice_of(*parts_);
   return replaced;
+}
+
+Status Show::begin_as(const DemoOptions& options) {
+  StartError error;
+  const bool begun = begin_tracks(*parts_->stage, options, error) && place_camera(*parts_, options, error);
+  return begun ? Status(Done{}) : Error{error.message};
 }
 
 Status Show::open_viewer(const ViewRequest& request) { return app::open_viewer(request, *parts_); }

@@ -52,9 +52,13 @@ class Show {
   /// Gives all agents other characters, 1 to most_models, as SetCast does with characters that are loaded already.
   Status replace_characters(std::vector<CharacterSource> characters);
   /// Shows a recorded crowd in place of all agents, with the characters that are there, at a frame boundary. It begins
-  /// at its first row, is repeated, and the scene `tracks` brings its camera. Errors: the show is recorded, or memory
-  /// lacks; then nothing has changed.
+  /// at its first row, is repeated, and the scene `tracks` brings its camera. Null forgets the recorded crowd that was
+  /// there, while another scene is shown. Errors: the show is recorded, or memory lacks; then nothing has changed.
   Status replace_trajectories(std::shared_ptr<const Trajectories> trajectories);
+
+  /// Takes the recorded crowd to the moment, and the camera to the place, with which a run of these options begins.
+  /// Errors: the file has no such time, or the crowd has no such camera or person.
+  Status begin_as(const DemoOptions& options);
 
   /// Keeps moments of the crowd from now on, but for frames in which it pauses; that takes memory. A recording and its
   /// replay keep the same ones.

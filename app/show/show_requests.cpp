@@ -33,13 +33,12 @@ Status has_agent(const Stage& stage, std::uint32_t agent) {
 Status exchange(std::vector<CharacterSource> characters, const Tuning& tuning,
                 std::shared_ptr<const Trajectories> trajectories, ShowParts& show) {
   const Stage& before = *show.stage;
-  const bool same_tracks =
-      tuning.scene == Scene::tracks && before.tuning().scene == Scene::tracks && trajectories == before.trajectories();
+  const bool same_tracks = trajectories != nullptr && trajectories == before.trajectories();
   auto made = Stage::create(std::move(characters), tuning, show.painter->palette_pages(), before.posed().frame(),
                             std::move(trajectories));
   if (!made) return made.error();
   Stage& stage = **made;
-  if (same_tracks) stage.set_track_clock(before.crowd().tracks()->clock());
+  if (same_tracks && before.track_clock()) stage.set_track_clock(*before.track_clock());
   if (const Status loaded = show.painter->load_meshes(stage); !loaded) return loaded.error();
   if (before.animated().event_sums()) stage.animated().sum_up_events();
   show.viewer.reset();
@@ -186,6 +185,10 @@ Status replace_characters(std::vector<CharacterSource> characters, ShowParts& sh
 }
 
 Status replace_trajectories(std::shared_ptr<const Trajectories> trajectories, ShowParts& show) {
+  if (trajectories == nullptr) {
+    if (show.stage->tuning().scene != Scene::tracks && show.live == nullptr) show.stage->forget_trajectories();
+    return Done{};
+  }
   if (show.recorder.is_recording()) {
     return Error{trajectories->file +
                  ": a recording goes on, and cannot hold the crowd of a file; end it with R, then drop the file"};

@@ -20,16 +20,18 @@ std::vector<CastEntry> entries_of(const DemoOptions& options) {
   return entries;
 }
 
-Result<LoadedCast> load_crowd_file(const DemoOptions& options, const LoadOptions& how) {
-  const auto setup = read_crowd_file(options.crowd_file);
-  if (!setup) return setup.error();
-  auto cast = load_crowd(setup->characters, options.data, how);
-  if (!cast) return Error{options.crowd_file + ": " + cast.error().message};
+bool says_characters(const DemoOptions& options) {
+  return options.crowd != nullptr && !options.crowd->characters.empty();
+}
+
+Result<LoadedCast> load_said(const DemoOptions& options, const LoadOptions& how) {
+  auto cast = load_crowd(options.crowd->characters, options.data, how);
+  if (!cast) return Error{(options.crowd_file.empty() ? "--crowd" : options.crowd_file) + ": " + cast.error().message};
   return cast;
 }
 
 Result<LoadedCast> load(const DemoOptions& options, const LoadOptions& how) {
-  if (!options.crowd_file.empty()) return load_crowd_file(options, how);
+  if (says_characters(options)) return load_said(options, how);
   const std::vector<CastEntry> entries = entries_of(options);
   if (!entries.empty()) return load_cast(entries, how);
   auto character = load_built_in(options.data, how);
@@ -59,14 +61,14 @@ bool choose_roles(const DemoOptions& options, std::span<CharacterSource> charact
     return taken || fail(error, exit_job_failed, taken.error().message);
   };
   const auto chosen = [&](const RoleChoice& choice) { return take_chosen_role(choice, characters, error); };
-  const bool says_all = !options.crowd_file.empty();
+  const bool says_all = says_characters(options);
   return (says_all || std::ranges::all_of(characters, kept)) && std::ranges::all_of(options.clips, chosen);
 }
 
 // A replay, a preset of a crowd file and a window may turn the wardrobe on later.
 bool may_dress(const DemoOptions& options) {
   return options.tuning.wardrobe || options.context == ContextKind::window || !options.replay.empty() ||
-         !options.crowd_file.empty();
+         options.crowd != nullptr;
 }
 
 }  // namespace

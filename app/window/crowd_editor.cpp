@@ -2,14 +2,20 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "app/people/crowd/crowd.h"
+#include "app/show/beginning.h"
+#include "app/show/painter.h"
+#include "app/show/recording/recorder.h"
 #include "app/show/show.h"
 #include "app/show/stage/stage.h"
 #include "app/window/frame_reporter.h"
 #include "engine/base/text/joined.h"
+#include "engine/tracks/read.h"
 #include "engine/tracks/trajectories.h"
 
 namespace throng::app {
@@ -43,6 +49,24 @@ std::optional<anim::BodyRole> changed_part(const std::vector<RigChoice>& before,
   return changed;
 }
 
+/// Reads the recorded crowd of a setup, before anything changes. Returns null where there is none.
+Result<std::shared_ptr<const Trajectories>> tracks_of(const CrowdSetup& setup, const Show& show) {
+  const TrajectoryOptions& asked = setup.trajectories;
+  const bool lacks_tracks = setup.preset.tuning.scene == Scene::tracks && show.stage().trajectories() == nullptr;
+  if (asked.file.empty() && lacks_tracks) return Error{"it does not name its recorded crowd; drop that file first"};
+  if (asked.file.empty()) return std::shared_ptr<const Trajectories>();
+  if (asked.file == "-") return Error{"its rows come from standard input; start the program with the file"};
+  if (show.recorder().is_recording()) return Error{no_recording_of_tracks};
+  auto read = read_trajectories(asked.file, asked.reading);
+  if (!read) return read.error();
+  if (const auto clock = first_clock(*read, asked, true); !clock) return clock.error();
+  return std::make_shared<const Trajectories>(std::move(*read));
+}
+
+bool shows_a_window(Show& show) {
+  return show.painter().draws() && show.painter().context().kind() == std::string_view("window");
+}
+
 }  // namespace
 
 CrowdEditor::CrowdEditor(Show& show, FrameReporter& reporter)
@@ -56,6 +80,30 @@ bool CrowdEditor::take(const CrowdRequest& request, const std::string& file) {
   if (!answer || !is_step(request, *answer)) return true;
   history_.add(as_made(request, show_.stage()), *answer, change_);
   return true;
+}
+
+bool CrowdEditor::open(const CrowdSetup& setup, const std::string& file) {
+  const auto tracks = tracks_of(setup, show_);
+  if (!tracks) return refuse(file, tracks.error().message);
+  if (!take(SetCast{setup.characters}, file)) return false;
+  if (*tracks != nullptr && !take(*tracks)) return false;
+  const Tuning before = tuning_;
+  Tuning tuning = setup.preset.tuning;
+  tuning.inspection = with_kept_values(tuning_.inspection, tuning.inspection);
+  if (!take(Apply{tuning}, file)) return false;
+  if (*tracks == nullptr) forget_tracks(before);
+  DemoOptions options;
+  begin_with(setup, options);
+  options.context = shows_a_window(show_) ? ContextKind::window : ContextKind::headless_default;
+  const Status begun = show_.begin_as(options);
+  reporter_.describe_characters(show_);
+  if (!begun) refuse(file, begun.error().message);
+  return true;
+}
+
+bool CrowdEditor::refuse(const std::string& file, const std::string& why) {
+  reporter_.messages().say(file + ": " + why, Message::Kind::refused);
+  return false;
 }
 
 bool CrowdEditor::make(const CrowdRequest& request, const std::string& file) {
@@ -109,6 +157,16 @@ bool CrowdEditor::take(const ShownTracks& tracks) {
   const bool comes_back = step.tracks_back == nullptr || !step.tracks_back->is_live;
   if (comes_back) history_.add(std::move(step));
   return true;
+}
+
+void CrowdEditor::forget_tracks(const Tuning& before) {
+  const Stage& stage = show_.stage();
+  const ShownTracks forgotten = stage.trajectories();
+  if (forgotten == nullptr || forgotten->is_live) return;
+  RequestHistory::Step step{.change = change_++, .forth = {Apply{tuning_}}, .tracks_back = forgotten};
+  if (stage.track_clock()) step.back.emplace_back(Seek{*stage.track_clock()});
+  step.back.emplace_back(Apply{before});
+  if (show_.replace_trajectories(nullptr)) history_.add(std::move(step));
 }
 
 void CrowdEditor::undo() {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/show/request/crowd_file.h"
 #include "app/show/request/request.h"
 #include "app/show/request_history.h"
 
@@ -19,6 +20,9 @@ class CrowdEditor {
 
   /// Makes a request, which may come from a `file`. Returns whether it was made; if not, the person is told why.
   bool take(const CrowdRequest& request, const std::string& file = {});
+  /// Opens all that a crowd file holds: the characters, the recorded crowd, the values and the camera. Returns whether
+  /// the crowd is there; if not, the person is told why.
+  bool open(const CrowdSetup& setup, const std::string& file);
   /// Takes values that are no step to take back, such as the values of the other of two tunings.
   bool take_in_passing(const Tuning& tuning) { return make(Apply{tuning}); }
   /// Shows a recorded crowd, and a step back shows what was there. A live crowd that was there does not come back.
@@ -39,8 +43,11 @@ class CrowdEditor {
 
  private:
   bool make(const CrowdRequest& request, const std::string& file = {});
+  bool refuse(const std::string& file, const std::string& why);
   bool make_all(const std::vector<CrowdRequest>& requests);
   bool show_tracks(const ShownTracks& tracks);
+  /// Forgets the recorded crowd that is not shown any more. A step back shows it again, with the values of `before`.
+  void forget_tracks(const Tuning& before);
   void say_what_came_of(const CrowdRequest& request, double seconds);
   void say_why_not(const CrowdRequest& request, const std::string& why);
 

@@ -74,7 +74,9 @@ void DroppedTracks::read_when_said(WindowSession& session) {
 }
 
 void DroppedTracks::read(WindowSession& session) const {
-  TrackReading reading = session.options.trajectories.reading;
+  const Trajectories* const shown_now = session.show.stage().trajectories().get();
+  const bool is_same_file = shown_now != nullptr && shown_now->file == next_.file;
+  TrackReading reading = is_same_file ? shown_now->reading : session.options.trajectories.reading;
   reading.walls = next_.walls;
   auto tracks = read_trajectories(next_.file, reading);
   if (!tracks) return session.messages().say(tracks.error().message, Message::Kind::refused);

@@ -3,6 +3,7 @@
 #include <system_error>
 
 #include "app/files/whole_path.h"
+#include "app/show/described_crowd.h"
 #include "app/show/kept_choices.h"
 #include "app/show/show.h"
 #include "app/show/stage/stage.h"
@@ -51,10 +52,7 @@ void FileRequests::carry_out(const LoadIntoOther& asked) {
 
 void FileRequests::carry_out(const SaveCrowd& asked) {
   const std::filesystem::path file = crowd_file(asked.crowd);
-  const Tuning& tuning = session_.editor.tuning();
-  CrowdSetup setup = crowd_setup(session_.show.stage().people(), {tuning, session_.camera.place()});
-  setup.pair = overlay_.tuning_pair();
-  setup.bookmarks = session_.camera.bookmarks();
+  const CrowdSetup setup = described_here();
   if (!messages().report(write_crowd_file(file, setup), "Wrote " + whole_path(file))) return;
   keep(file, setup.pair);
   session_.reporter.report().crowd_names = crowd_names(".");
@@ -62,11 +60,18 @@ void FileRequests::carry_out(const SaveCrowd& asked) {
 
 void FileRequests::carry_out(const OpenCrowd& asked) { open_crowd(crowd_file(asked.crowd)); }
 
+CrowdSetup FileRequests::described_here() const {
+  CrowdSetup setup = described(session_.show, {session_.editor.tuning(), session_.camera.place()});
+  setup.pair = overlay_.tuning_pair();
+  setup.bookmarks = session_.camera.bookmarks();
+  return setup;
+}
+
 void FileRequests::open_crowd(const std::filesystem::path& file) {
   const auto setup = read_crowd_file(file);
   if (!setup) return messages().say(setup.error().message, Message::Kind::refused);
-  if (!session_.editor.take(SetCast{setup->characters}, file.string())) return;
-  take(setup->preset);
+  if (!session_.editor.open(*setup, file.string())) return;
+  session_.camera.take_back(session_.show);
   take_kept(*setup);
   keep(file, setup->pair);
   messages().say("Opened " + whole_path(file));
@@ -90,7 +95,7 @@ void FileRequests::take_kept(const CrowdSetup& setup) {
 
 void FileRequests::take(const Preset& preset) {
   Tuning tuning = preset.tuning;
-  tuning.inspection = session_.editor.tuning().inspection;
+  tuning.inspection = with_kept_values(session_.editor.tuning().inspection, tuning.inspection);
   if (!session_.editor.take(Apply{tuning})) return;
   session_.unsaved.keep(session_.editor.tuning(), overlay_.tuning_pair());
   if (preset.camera) session_.camera.put(*preset.camera, session_.show);

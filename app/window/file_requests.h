@@ -15,7 +15,9 @@ class FileRequests {
   FileRequests(WindowSession& session, Overlay& overlay) : session_(session), overlay_(overlay) {}
 
   void take(const FileRequest& request);
-  /// Opens a crowd file: characters, values, cameras, and the tunings to compare.
+  /// Describes all that is open, as a crowd file holds it.
+  CrowdSetup described_here() const;
+  /// Opens a crowd file: all that described_here() told when it was saved.
   void open_crowd(const std::filesystem::path& file);
   /// Takes the parts of a crowd file that only a window keeps: the tunings to compare, and the bookmarks of the camera.
   void take_kept(const CrowdSetup& setup);

@@ -47,7 +47,7 @@ class WindowLoop {
     session_.reporter.report().crowd_names = crowd_names(".");
     session_.reporter.report_recording(options.record);
     show.keep_moments();
-    if (!options.crowd_file.empty()) take_kept(options.crowd_file);
+    take_kept(options);
     overlay_.show_tab(options.ui_tab);
     session_.unsaved.keep(session_.crowd_work());
   }
@@ -78,12 +78,12 @@ class WindowLoop {
     return is_asked_for ? options.ui_scale : session_.input.content_scale();
   }
 
-  void take_kept(const std::string& crowd_file) {
-    const auto setup = read_crowd_file(crowd_file);
-    if (!setup) return;  // it has gone since the characters were read
-    requests_.take_kept(*setup);
-    session_.reporter.report().crowd = std::filesystem::path(crowd_file).replace_extension().string();
-    session_.note_recent(crowd_file);
+  void take_kept(const DemoOptions& options) {
+    if (options.crowd == nullptr) return;
+    requests_.take_kept(*options.crowd);
+    if (options.crowd_file.empty()) return;
+    session_.reporter.report().crowd = std::filesystem::path(options.crowd_file).replace_extension().string();
+    session_.note_recent(options.crowd_file);
   }
 
   // Programs that drive the window wait for this line.

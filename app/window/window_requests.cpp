@@ -7,7 +7,7 @@
 #include "app/output/regression/origin.h"
 #include "app/show/painter.h"
 #include "app/show/recording/recorder.h"
-#include "app/show/request/cast_options.h"
+#include "app/show/request/crowd_command.h"
 #include "app/show/request/crowd_file.h"
 #include "app/show/request/openable_files.h"
 #include "app/show/show.h"
@@ -139,8 +139,7 @@ void WindowRequests::carry_out(const ToggleRecording& /*asked*/) {
 void WindowRequests::carry_out(const CopyCamera& /*asked*/) { copy(camera_option(session_.camera.place())); }
 
 void WindowRequests::carry_out(const CopyCommandLine& /*asked*/) {
-  const std::string cast = cast_options(session_.show.stage().people());
-  copy(cast + (cast.empty() ? "" : " ") + command_line(session_.editor.tuning(), Tuning(), session_.camera.place()));
+  copy(crowd_command(files_.described_here(), session_.show.stage().people()));
 }
 
 void WindowRequests::copy(const std::string& options) {

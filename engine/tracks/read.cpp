@@ -128,6 +128,7 @@ Result<Trajectories> read_trajectories(const std::string& file, const TrackReadi
   if (beside) raw.facts.remarks.push_back("The place is that of " + *beside + ".");
   auto tracks = tracks_of_rows(raw, file, options);
   if (!tracks) return tracks;
+  tracks->reading = options;
   const bool has_walls = !walls->is_empty() || walls->unknown_shapes > 0;
   if (has_walls) tracks->plan = placed_plan(*walls, unit_of_walls(*walls, *tracks), tracks->origin);
   add_doubts(raw.facts, *tracks);

@@ -9,6 +9,7 @@
 #include <glm/vec2.hpp>
 
 #include "engine/tracks/ground_plan.h"
+#include "engine/tracks/reading.h"
 
 namespace throng {
 
@@ -69,6 +70,7 @@ struct Trajectories {
   double first_seconds = 0.0, last_seconds = 0.0;  ///< of all rows
   std::size_t row_count = 0;
   std::string file;                  ///< as it was named; "-" for standard input
+  TrackReading reading;              ///< how it was asked to be read
   std::string format;                ///< "JuPedSim SQLite", for people
   std::vector<std::string> remarks;  ///< sentences on findings of the reader: unit, frame rate, heights, doubts
   TrackReport report;

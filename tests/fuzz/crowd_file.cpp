@@ -23,7 +23,10 @@ app::CharacterSource small_character() {
 // Names of files may come back in other words.
 bool are_same(const app::CrowdSetup& one, const app::CrowdSetup& other) {
   return one.characters.size() == other.characters.size() && one.preset.tuning == other.preset.tuning &&
-         one.preset.camera == other.preset.camera && one.pair == other.pair && one.bookmarks == other.bookmarks;
+         one.preset.camera == other.preset.camera && one.camera_name == other.camera_name &&
+         one.trajectories.part == other.trajectories.part &&
+         one.trajectories.reading.fps == other.trajectories.reading.fps && one.pair == other.pair &&
+         one.bookmarks == other.bookmarks;
 }
 
 }  // namespace

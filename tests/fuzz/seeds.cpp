@@ -105,6 +105,11 @@ Status write_crowd_files(const std::filesystem::path& folder) {
       .rig = {{anim::BodyRole::hips, skeleton.bones[0].name}}};
   app::CrowdSetup setup{.characters = {person, plain, person}, .preset = {.tuning = {}, .camera = app::CameraPose{}}};
   setup.preset.tuning.agents = 30;
+  setup.trajectories = {.file = (folder / "walk.csv").string(), .start = 2.5};
+  setup.trajectories.reading = {.fps = 25.0, .walls = (folder / "hall.wkt").string(), .lenient = true};
+  setup.trajectories.part.emplace(1.0, 40.0);
+  setup.camera_name = "follow:17";
+  setup.camera_path = "orbit";
   app::Tuning other;
   other.error_px = 4;
   setup.pair.take_other(other, "loose");

@@ -1,4 +1,6 @@
-// What a crowd file keeps for a window: two tunings to compare, and the places of the camera.
+// What a crowd file brings back in a window: two tunings to compare, the places of the camera, and a recorded crowd.
+#include <fstream>
+
 #include "tests/window/window_driver.h"
 
 namespace throng::app {
@@ -44,6 +46,28 @@ TEST_F(KeptCrowd, BringsBackBothTuningsAndThePlacesOfTheCamera) {
   wait_for_all_of_it();
   start_program({"mine.throng", "--size", "1280x720"});
   wait_for_all_of_it();
+}
+
+TEST_F(KeptCrowd, BringsBackARecordedCrowdAtItsMoment) {
+  const std::string walk = (folder() / "a walk.csv").string();
+  std::ofstream(walk) << "id,time,x,y\n1,0,0,0\n1,3600,9,0\n2,0,0,3\n2,3600,9,3\n";
+  drop(walk);
+  const auto is_there = [](const Json& map) {
+    return map["tuning"]["scene"] == "tracks" && map["report"]["agents"] == 2 && map["report"]["drawn"] > 0;
+  };
+  const Json shown = wait_for("the recorded crowd", is_there);
+  open_tab("Presets");
+  type_in_tab("Crowd name.field", "walked");
+  click_in_tab("Save crowd");
+  wait_for_message("Wrote " + (folder() / "walked.throng").string());
+  drop(std::string(THRONG_SOURCE_DIR) + "/tests/data/features/plain.glb");
+  wait_for("another character", [](const Json& map) { return map["report"]["characters"].size() == 1; });
+  drop((folder() / "walked.throng").string());
+  wait_for_message("Opened");
+  EXPECT_TRUE(is_there(next_map(2)));
+  start_program({"walked.throng", "--size", "1280x720"});
+  const Json again = wait_for("the recorded crowd", is_there);
+  EXPECT_GE(again["report"]["tracks"]["seconds"], shown["report"]["tracks"]["seconds"]) << "and goes on from there";
 }
 
 }  // namespace

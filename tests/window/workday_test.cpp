@@ -1,11 +1,10 @@
 // A technical artist's day with the program, from the first look at a model to the crowd that is kept, at three desks.
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "tests/shell_words.h"
 #include "tests/window/scaled_model.h"
 #include "tests/window/window_driver.h"
 
@@ -24,11 +23,6 @@ struct Desk {
 std::string size_words(glm::ivec2 size) { return std::to_string(size.x) + "x" + std::to_string(size.y); }
 
 Json json_of(const fs::path& file) { return Json::parse(std::ifstream(file), nullptr, false); }
-
-std::vector<std::string> words_of(const std::string& line) {
-  std::istringstream in(line);
-  return {std::istream_iterator<std::string>(in), {}};
-}
 
 class Workday : public WindowDriver, public testing::WithParamInterface<Desk> {
  protected:
@@ -108,7 +102,7 @@ class Workday : public WindowDriver, public testing::WithParamInterface<Desk> {
     open_tab("Presets");
     click_in_tab("Copy as command line");
     wait_for_message("Copied");
-    return words_of(program().read_line(soon()).value_or(""));
+    return throng::test::words_for_the_program(program().read_line(soon()).value_or(""));
   }
   void save_the_crowd() {
     open_tab("Presets");

@@ -31,15 +31,22 @@ void declare_simd(OptionReader& reader, const anim::Kernels*& kernels);
 /// Adds the options that say in what size and where the models of files stand.
 void declare_placement(OptionReader& reader, anim::PlacementChoice& placement);
 
+/// Reads the name of a crowd file. All options of the command line win over its values.
+ValueReader crowd_file_name(DemoOptions& options);
+/// Adds the options of starting values. They come before all other options of such values, which win over them.
+void declare_starting_values(OptionReader& reader, DemoOptions& options);
+/// A crowd file names its characters, and so may --crowd. Returns how the command line names others, if it does.
+std::optional<std::string> contradiction_of_crowd(const DemoOptions& options);
+
 /// Adds the options that say what a run writes of each of its frames.
 void declare_output(OptionReader& reader, DemoOptions& options);
 /// Fills values that follow from these options and others, once the line is read. Returns a contradiction among them.
 std::optional<std::string> settle_output(const OptionReader& reader, DemoOptions& options);
 
 /// Adds the options that say how a file of trajectories is read.
-void declare_track_reading(OptionReader& reader, TrackReading& reading);
-/// Adds the option that names a part of a recorded crowd's time.
-void declare_track_part(OptionReader& reader, const char* help, std::optional<std::pair<double, double>>& part);
+void declare_track_reading(OptionReader& reader, TrajectoryOptions& tracks);
+/// Adds the option that names a part of a recorded crowd's time, with a help of its own.
+void declare_track_part(OptionReader& reader, const char* help, TrajectoryOptions& tracks);
 /// Adds the options of a recorded crowd.
 void declare_trajectories(OptionReader& reader, DemoOptions& options);
 /// Makes the scene `tracks`, if a recorded crowd is named. `--up` is the crowd's where it has the crowd's name, or no

@@ -5,35 +5,12 @@
 
 #include "app/commands/command_line/option_reader.h"
 #include "app/commands/command_line/options_commands.h"
-#include "app/settings/preset.h"
 #include "app/settings/times_of_day.h"
 #include "app/settings/tuning_values.h"
 #include "app/show/request/crowd_file.h"
 
 namespace throng::app {
 namespace {
-
-// All options of the command line win over its values.
-ValueReader crowd_file(DemoOptions& options) {
-  return [&options](const std::string& text) -> Complaint {
-    if (!options.crowd_file.empty()) return "one crowd file is the most; open the other one in the window";
-    const auto setup = read_crowd_file(text);
-    if (!setup) return setup.error().message.substr(text.size() + std::string_view(": ").size());
-    options.crowd_file = text;
-    options.values_given.all = true;
-    options.tuning = setup->preset.tuning;
-    options.camera = setup->preset.camera;
-    return {};
-  };
-}
-
-// These come before all other options, which win over them.
-void declare_starting_values(OptionReader& reader, DemoOptions& options) {
-  reader.option_defaults()->group("Starting values; options given beside them win");
-  reader.value("--preset", "NAME|FILE", "A preset by its name in the overlay, or a file (none)",
-               preset_values(options));
-  reader.value("--set", "KEY=VALUE,...", "Any value of a preset by its key", set_values(options));
-}
 
 void declare_cast(OptionReader& reader, DemoOptions& options) {
   reader.value("--cast", "MODEL*SHARE,...|RULES.json",
@@ -62,17 +39,6 @@ void declare_light(OptionReader& reader, DemoOptions& options) {
                names_of_times() + ", or the sun's elevation,azimuth in degrees (" + times_of_day.front().name + ")",
                sun(options.tuning.light));
   reader.tuning("Light", options.tuning);
-}
-
-ValueReader camera_path(DemoOptions& options) {
-  return [&options](const std::string& text) -> Complaint {
-    options.camera_path_file = text.ends_with(".csv") ? text : std::string();
-    if (!options.camera_path_file.empty()) return {};
-    const auto named =
-        choice<CameraPath>(options.camera_path,
-                           {{"none", CameraPath::none}, {"orbit", CameraPath::orbit}, {"pan", CameraPath::pan}})(text);
-    return named ? Complaint("must be none, orbit, pan, or a file that ends in .csv") : Complaint();
-  };
 }
 
 void declare_picture(OptionReader& reader, DemoOptions& options) {
@@ -194,17 +160,6 @@ std::optional<std::string> contradiction_of_replay(const DemoOptions& options) {
   return {};
 }
 
-/// A crowd file names its characters; the command line must not name others.
-std::optional<std::string> contradiction_of_crowd_file(const DemoOptions& options) {
-  static const std::set<std::string> said{"--cast", "--clips-from", "--skin",  "--scale",
-                                          "--up",   "--ground",     "--replay"};
-  if (!options.models.empty()) return options.models.front() + ": " + options.crowd_file + " says who is there";
-  for (const std::string& name : options.given) {
-    if (said.contains(name)) return name + ": " + options.crowd_file + " says it; leave it out";
-  }
-  return {};
-}
-
 /// Refuses an overlay or legend where a run draws no picture.
 std::optional<std::string> contradiction_of_overlay(const DemoOptions& options) {
   const std::string asked = options.ui ? "--ui" : options.legend ? "--legend" : "";
@@ -226,9 +181,7 @@ std::optional<std::string> contradiction_in(const DemoOptions& options) {
   if (options.models.size() > most_models) {
     return options.models[most_models] + ": " + std::to_string(most_models) + " models are the most";
   }
-  if (!options.crowd_file.empty()) {
-    if (auto contradiction = contradiction_of_crowd_file(options)) return contradiction;
-  }
+  if (auto contradiction = contradiction_of_crowd(options)) return contradiction;
   if (!options.models.empty() && !options.cast.empty()) return "--cast: takes the place of MODEL; give one of them";
   if (options.models.empty() && options.cast.empty() && !options.skin.empty()) {
     return "--skin: goes with a MODEL or --cast";
@@ -271,7 +224,7 @@ void declare_placements(OptionReader& reader, DemoOptions& options) {
 
 void declare_demo(OptionReader& reader, DemoOptions& options) {
   const auto add = [&](const std::string& text) {
-    return is_crowd_file(text) ? crowd_file(options)(text) : any_text(options.models.emplace_back())(text);
+    return is_crowd_file(text) ? crowd_file_name(options)(text) : any_text(options.models.emplace_back())(text);
   };
   const std::string models = "glTF files (.glb or .gltf), packs, and folders of them, up to " +
                              std::to_string(most_models) +
@@ -281,8 +234,8 @@ void declare_demo(OptionReader& reader, DemoOptions& options) {
       ->allow_extra_args()
       ->group("Model");
   declare_placements(reader, options);
-  declare_trajectories(reader, options);
   declare_starting_values(reader, options);
+  declare_trajectories(reader, options);
   reader.tuning("Crowd", options.tuning);
   declare_cast(reader, options);
   declare_clips(reader, options);

@@ -76,7 +76,7 @@ ParsedCommand parse_inspect(const std::vector<std::string>& arguments) {
   reader.value("--measures", "FILE.csv",
                "Write place, speed and density of each person at each row, with PedPy's columns",
                file_that_ends_in(".csv", options.measures));
-  declare_track_part(reader, "Write this part of its clock only (all of it)", options.part);
+  declare_track_part(reader, "Write this part of its clock only (all of it)", options.tracks);
   reader.value("--cut-off", "METRES", "How far a person's own ground reaches at most, for the density, 0.1 to 10 (1)",
                number_between(options.cut_off.emplace(Tuning().density_cut_off), 0.1F, 10.0F));
   reader.footer(
@@ -87,7 +87,7 @@ ParsedCommand parse_inspect(const std::vector<std::string>& arguments) {
     if (options.measures.empty() && reader.given(option))
       return UsageError{std::string(option) + ": goes with --measures"};
   }
-  options.tracks.up = options.placement.up == anim::UpAxis::y && reader.given("--up") ? TrackUp::y : TrackUp::z;
+  options.tracks.reading.up = options.placement.up == anim::UpAxis::y && reader.given("--up") ? TrackUp::y : TrackUp::z;
   return options;
 }
 

@@ -195,7 +195,7 @@ std::vector<InspectedModel> placed_models(anim::ImportedFile& file, const anim::
 }
 
 Status write_measures(const Trajectories& tracks, const InspectOptions& options) {
-  const auto [one_end, other_end] = options.part.value_or(std::pair(tracks.first_seconds, tracks.last_seconds));
+  const auto [one_end, other_end] = options.tracks.part.value_or(std::pair(tracks.first_seconds, tracks.last_seconds));
   const double first = std::min(one_end, other_end), last = std::max(one_end, other_end);
   if (last < tracks.first_seconds || first > tracks.last_seconds) {
     return Error{"--track-part: " + tracks.file + " has rows from " + fixed(tracks.first_seconds, 2) + " to " +
@@ -208,7 +208,7 @@ Status write_measures(const Trajectories& tracks, const InspectOptions& options)
 }
 
 Status inspect_tracks(const InspectOptions& options) {
-  const auto tracks = read_trajectories(options.model, options.tracks);
+  const auto tracks = read_trajectories(options.model, options.tracks.reading);
   if (!tracks) return tracks.error();
   if (!options.measures.empty()) {
     if (Status written = write_measures(*tracks, options); !written) return written;
@@ -221,7 +221,7 @@ Status inspect(const InspectOptions& options) {
   if (!options.measures.empty()) {
     return Error{"--measures: " + options.model + " is no file of trajectories; name one, or leave the option out"};
   }
-  if (options.tracks != TrackReading{.up = options.tracks.up}) {
+  if (options.tracks.reading != TrackReading{.up = options.tracks.reading.up}) {
     return Error{options.model + ": it is no file of trajectories; leave out --fps and what else is for their rows"};
   }
   auto file = read_model_file(options.model, options.reading);

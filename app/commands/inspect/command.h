@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "app/settings/settings.h"
 #include "engine/anim/import/import.h"
 #include "engine/anim/survey/placement_guess.h"
-#include "engine/tracks/reading.h"
 
 namespace throng::app {
 
@@ -17,11 +17,10 @@ struct InspectOptions {
   std::vector<std::string> clips_from;   ///< files whose clips are added to the largest model
   anim::PlacementChoice placement = {};  ///< size and place of all models; what it leaves open is guessed
   import::ImportOptions reading{};
-  TrackReading tracks{};                               ///< of a file of trajectories
-  std::string measures = {};                           ///< a table of the people of trajectories; empty: none
-  std::optional<std::pair<double, double>> part = {};  ///< seconds of the file's clock in the table; unset: all
-  std::optional<float> cut_off = {};                   ///< Tuning::density_cut_off; unset: as the demo has it
-  bool json = false;  ///< one JSON object on standard output instead of tables for a person
+  TrajectoryOptions tracks{};         ///< how a file of trajectories is read, and the part of it in the table
+  std::string measures = {};          ///< a table of the people of trajectories; empty: none
+  std::optional<float> cut_off = {};  ///< Tuning::density_cut_off; unset: as the demo has it
+  bool json = false;                  ///< one JSON object on standard output instead of tables for a person
 };
 
 /// Runs `throng inspect`. Returns the exit status; a file that is refused gives one line on stderr.

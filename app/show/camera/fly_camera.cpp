@@ -26,6 +26,19 @@ glm::vec3 direction(const InputFrame& input) {
 
 float hurry(const InputFrame& input) { return input.down(Key::shift) ? times_faster : 1.0F; }
 
+/// Returns the degrees that camera_at() makes this angle of, where there are such, so that a kept place shows the very
+/// same picture.
+float degrees_of(float angle) {
+  const float degrees = glm::degrees(angle);
+  if (glm::radians(degrees) == angle) return degrees;
+  constexpr float below = -1e9F, above = 1e9F;
+  for (const float towards : {below, above}) {
+    const float near = std::nextafter(degrees, towards);
+    if (glm::radians(near) == angle) return near;
+  }
+  return degrees;
+}
+
 }  // namespace
 
 bool orbits(const InputFrame& input) {
@@ -43,9 +56,9 @@ CameraPose place_of(const render::Camera& camera) {
   return {.x = camera.position.x,
           .y = camera.position.y,
           .z = camera.position.z,
-          .yaw = glm::degrees(camera.yaw),
-          .pitch = glm::degrees(camera.pitch),
-          .field_of_view = glm::degrees(camera.vertical_view)};
+          .yaw = degrees_of(camera.yaw),
+          .pitch = degrees_of(camera.pitch),
+          .field_of_view = degrees_of(camera.vertical_view)};
 }
 
 std::string camera_option(const CameraPose& place) {

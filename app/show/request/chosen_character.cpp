@@ -10,11 +10,11 @@
 #include "app/character/rig_table.h"
 #include "app/character/role_table.h"
 #include "app/files/byte_hash.h"
+#include "app/files/json_file.h"
 #include "app/settings/choices.h"
 #include "app/settings/option_values.h"
 #include "engine/base/hash.h"
 #include "engine/base/json/json_object.h"
-#include "engine/base/text/plain_text.h"
 
 namespace throng::app {
 namespace {
@@ -43,27 +43,6 @@ std::string fingerprint(const CharacterSource& source) {
     hash = chain_hash(hash, static_cast<std::uint64_t>(clip.duration.count()));
   }
   return hex_string(hash);
-}
-
-/// Returns the name of a file as a text, or as a list of its bytes where they are no UTF-8, which JSON demands.
-Json name_json(const std::string& file) {
-  if (is_utf8(file)) return file;
-  Json bytes = Json::array();
-  for (const char byte : file) bytes.push_back(static_cast<int>(static_cast<unsigned char>(byte)));
-  return bytes;
-}
-
-bool read_name(const Json& json, std::string& file) {
-  constexpr int most_byte = 255;
-  if (json.is<std::string>()) {
-    file = json.get<std::string>();
-  } else if (json.are_whole(1, most_byte)) {
-    file.clear();
-    for (const Json& byte : json.elements()) file += static_cast<char>(byte.get<int>());
-  } else {
-    return false;
-  }
-  return file.find('\0') == std::string::npos;
 }
 
 void read_word(const JsonObject& json, const std::string& key, const ValueReader& reader) {
@@ -101,6 +80,7 @@ Status take_bone_lod(const ChosenCharacter& wanted, CharacterSource& source) {
   const BoneLodChoice choice{.bones = std::move(*bones), .level_counts = wanted.level_counts};
   if (Status checked = check_bone_lod(source.model.skeleton, choice); !checked) return checked;
   take_order(source, choice);
+  source.order_is_chosen = true;
   return Done{};
 }
 

@@ -246,7 +246,7 @@ struct TakeScreenshot {};
 /// Begins or ends a recording.
 struct ToggleRecording {};
 struct CopyCamera {};
-/// Models, roles and values as options.
+/// All that is open as a command line.
 struct CopyCommandLine {};
 struct ReloadShaders {};
 

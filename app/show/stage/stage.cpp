@@ -112,6 +112,7 @@ Status Stage::set_bone_lod(std::size_t character, const BoneLodChoice& choice) {
     source.surface = drawn;
     return replaced;
   }
+  source.order_is_chosen = true;
   posed_.take_character(character, viewed_character(source));
   return Done{};
 }
@@ -173,8 +174,9 @@ void Stage::jump() {
 }
 
 void Stage::set_track_clock(const TrackClock& clock) {
-  animated_->crowd().go_to(clock);
   track_clock_ = clock;
+  if (crowd().tracks() == nullptr) return;
+  animated_->crowd().go_to(clock);
   jump();
 }
 

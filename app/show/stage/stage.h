@@ -52,8 +52,13 @@ class Stage {
   /// Starts the crowd and every clock anew. From here on, all happens as on a stage just made.
   void restart();
 
-  /// Takes a recorded crowd to another time, at a frame boundary. All agents are posed for it at once.
+  /// Takes a recorded crowd to another time, at a frame boundary. All agents are posed for it at once. While another
+  /// scene is shown, the crowd waits at that time.
   void set_track_clock(const TrackClock& clock);
+  /// Returns the clock of the recorded crowd; nothing where there is none, or it was never shown nor set.
+  const std::optional<TrackClock>& track_clock() const { return track_clock_; }
+  /// Forgets the recorded crowd, which is not shown now.
+  void forget_trajectories() { trajectories_.reset(), track_clock_.reset(); }
   /// Takes the rows that came of a live crowd; they belong to its trajectories. Call it before move().
   void take_live_step(const LiveStep& step);
 

@@ -119,9 +119,9 @@ void show_saving(const TabContext& context) {
     requests.ask(SavePreset{name});
   }
   if (wide_button(widgets, "Copy as command line",
-                  {.what = "Puts the options that make this crowd into the clipboard: its models and roles, and "
-                           "what differs from what no option means. Orders of bones and parts of the body are in "
-                           "crowd files alone."}))
+                  {.what = "Puts a command into the clipboard that opens all of this again: the models, a recorded "
+                           "crowd, what differs from what no option means, and cameras. What no option says is in "
+                           "its --crowd."}))
     requests.ask(CopyCommandLine{});
 }
 
@@ -154,9 +154,9 @@ void show_crowd_files(const TabContext& context) {
   widgets.text("Crowd name", name, "letters, digits, - and _", {.what = "NAME of NAME.throng, in the working folder."});
   const bool exists = std::ranges::binary_search(report.crowd_names, name);
   if (wide_button(widgets, exists ? "Replace crowd" : "Save crowd",
-                  {.what = "Writes NAME.throng: the models and their shares, roles, parts of the body and orders of "
-                           "bones, all values and the camera. throng NAME.throng, a drop on the window or Open brings "
-                           "all of it back."},
+                  {.what = "Writes NAME.throng: the models and all that was chosen for them, a recorded crowd and the "
+                           "part of it that is played, all values, cameras and A and B. throng NAME.throng, a drop "
+                           "on the window or Open brings all of it back."},
                   can_name_a_preset(name) ? nullptr : no_name)) {
     requests.ask(SaveCrowd{name});
   }

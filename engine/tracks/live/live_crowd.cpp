@@ -39,6 +39,7 @@ LiveCrowd::LiveCrowd(std::unique_ptr<LiveTracks> tracks, std::size_t places, Gro
   all_->plan = std::move(plan);
   all_->origin = head.origin;
   all_->file = "-";
+  all_->reading = head.reading;
   all_->format = head.format;
   all_->remarks = head.remarks;
   all_->is_live = true;

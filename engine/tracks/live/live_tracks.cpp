@@ -197,6 +197,7 @@ void LiveTracks::State::begin() {
   const RawRow& first = sink.rows.front();
   scale = scale_at_once(facts, options, first);
   live_head = LiveHead{.origin = {std::round(first.x * scale.metres_a_unit), std::round(first.y * scale.metres_a_unit)},
+                       .reading = options,
                        .format = facts.format,
                        .remarks = facts.remarks};
 }

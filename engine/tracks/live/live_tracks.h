@@ -26,6 +26,7 @@ struct LiveRow {
 /// Holds the facts that are known once the first row is there.
 struct LiveHead {
   glm::dvec2 origin{0.0};  ///< metres: the place of the first row, in whole metres
+  TrackReading reading;    ///< how the rows were asked to be read
   std::string format;
   std::vector<std::string> remarks;
 };

@@ -11,10 +11,10 @@
 #include <gtest/gtest.h>
 
 #include "app/settings/tuning_values.h"
-#include "app/show/request/cast_options.h"
 #include "app/show/show.h"
 #include "app/show/show_view.h"
 #include "app/show/stage/stage.h"
+#include "tests/app/commands/command_line/command_words.h"
 #include "tests/app/program_run.h"
 #include "tests/app/show/recording/recorded_run.h"
 
@@ -163,6 +163,11 @@ TEST_F(CrowdFile, RefusesWhatItDoesNotUnderstandInOneLine) {
       {R"({"version": 1, "characters": [{}], "bookmarks": {"2": "home"}})", "bookmarks: \"2\" must be x,y,z"},
       {R"({"version": 1, "characters": [{}], "bookmarks": {"2": "1,2,3,4,500"}})", "pitch -90 to 90"},
       {R"({"version": 1, "characters": [{}], "bookmarks": {"2": [1]}})", "\"2\" must be"},
+      {R"({"version": 1, "characters": [{}], "trajectories": {"fps": 25}})", "\"trajectories\": \"file\" is missing"},
+      {R"({"version": 1, "characters": [{}], "trajectories": {"file": "a", "part": 3}})",
+       "\"part\" must be two numbers"},
+      {R"({"version": 1, "characters": [{}], "camera_path": "zoom"})", "\"camera_path\" must be none, orbit, pan"},
+      {R"({"version": 1, "characters": [{}], "camera_name": ""})", "\"camera_name\" must not be empty"},
   };
   const std::string file = (folder_ / "bad.throng").string();
   for (const Case& bad : cases) {
@@ -185,15 +190,50 @@ TEST_F(CrowdFile, SaysWhichClipOrBoneAModelHasNot) {
   EXPECT_THAT(run.errors, HasSubstr("walk=Wakling"));
 }
 
-TEST_F(CrowdFile, CopiedAsOptionsHasItsModelsAndRoles) {
-  copy_mannequin(folder_ / "a person's.glb");
-  auto options = test::demo("--agents 3");
-  options.models = {(folder_ / "a person's.glb").string()};
-  const auto show = test::show_of(options);
-  RoleClips clips = show->stage().people()[0].roles.clips;
-  clips[index_of(Role::wave)] = no_clip;
-  EXPECT_TRUE(show->take(SetRoles{0, clips}));
-  EXPECT_EQ(cast_options(show->stage().people()), "'" + folder_.string() + "/a person'\\''s.glb' --clips wave=none");
+TEST_F(CrowdFile, MovesWithItsRecordedCrowdItsWallsAndItsFlight) {
+  CrowdSetup setup{.characters = {{}}, .preset = {}};
+  setup.trajectories.file = (folder_ / "here" / "walk.csv").string();
+  setup.trajectories.reading.walls = (folder_ / "here" / "plans" / "hall.wkt").string();
+  setup.camera_path = (folder_ / "here" / "flight.csv").string();
+  fs::create_directory(folder_ / "here");
+  ASSERT_TRUE(write_crowd_file(folder_ / "here" / "mine.throng", setup));
+  fs::rename(folder_ / "here", folder_ / "there");
+  const auto moved = read_crowd_file(folder_ / "there" / "mine.throng");
+  ASSERT_TRUE(moved);
+  EXPECT_EQ(moved->trajectories.file, (folder_ / "there/walk.csv").string());
+  EXPECT_EQ(moved->trajectories.reading.walls, (folder_ / "there/plans/hall.wkt").string());
+  EXPECT_EQ(moved->camera_path, (folder_ / "there/flight.csv").string());
+}
+
+TEST_F(CrowdFile, OfACrowdThatComesOnStandardInputReadsItAgain) {
+  CrowdSetup setup{.characters = {{}}, .preset = {.tuning = {.scene = Scene::tracks, .agents = 70}, .camera = {}}};
+  setup.trajectories.file = "-";
+  ASSERT_TRUE(write_crowd_file(folder_ / "mine.throng", setup));
+  const DemoOptions options = test::demo((folder_ / "mine.throng").string());
+  EXPECT_EQ(options.trajectories.file, "-");
+  EXPECT_EQ(options.tuning.agents, 70);
+}
+
+// Before crowd files held recorded crowds, such a crowd was lost.
+TEST_F(CrowdFile, ThatLacksItsRecordedCrowdIsRefusedUnlessOneIsNamed) {
+  const std::string file = (folder_ / "old.throng").string(), walk = (folder_ / "walk.csv").string();
+  std::ofstream(file) << R"({"version": 1, "characters": [{}], "values": {"scene": "tracks"}})";
+  std::ofstream(walk) << "id,time,x,y\n1,0,0,0\n1,1,1,0\n";
+  const auto run = run_program({"--headless=none", file});
+  EXPECT_EQ(run.exit_status, 2);
+  EXPECT_THAT(run.errors, HasSubstr("start with --trajectories FILE"));
+  EXPECT_EQ(run_program({"--headless=none", file, "--trajectories", walk}).exit_status, 0);
+}
+
+TEST_F(CrowdFile, SaysItsRecordedCrowdAndOptionsSayHowItIsPlayed) {
+  CrowdSetup setup{.characters = {{}}, .preset = {.tuning = {.scene = Scene::tracks}, .camera = {}}};
+  setup.trajectories = {.file = (folder_ / "walk.csv").string(), .start = 2.0};
+  ASSERT_TRUE(write_crowd_file(folder_ / "mine.throng", setup));
+  const std::string file = (folder_ / "mine.throng").string();
+  EXPECT_EQ(test::demo(file + " --start 3").trajectories.start, 3.0);
+  EXPECT_EQ(refusal(file + " --trajectories other.csv"), "--trajectories: " + file + " says it; leave it out");
+  EXPECT_EQ(refusal(file + " --agents 3"), "--agents: does not go with --trajectories");
+  EXPECT_EQ(refusal(file + " --crowd {}"), "--crowd: " + file + " says it; leave it out");
 }
 
 }  // namespace

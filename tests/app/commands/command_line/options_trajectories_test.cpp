@@ -33,7 +33,7 @@ TEST(TrajectoryOptionsOfALine, AreThoseOfInspectToo) {
   const ParsedCommand command =
       parse_command_line(words("inspect walk.csv --walls w.wkt --fps 16 --unit km --angle none --up y --lenient"));
   ASSERT_TRUE(std::holds_alternative<InspectOptions>(command));
-  const TrackReading& reading = std::get<InspectOptions>(command).tracks;
+  const TrackReading& reading = std::get<InspectOptions>(command).tracks.reading;
   EXPECT_EQ(reading.walls, "w.wkt");
   EXPECT_EQ(reading.fps, 16.0);
   EXPECT_EQ(reading.metres_a_unit, 1000.0);

@@ -18,6 +18,10 @@ constexpr double largest_mean_difference = 1.5;
 
 class WindowSize : public WindowDriver {
  protected:
+  /// The picture keeps its cost, so that two frames of a still crowd are equal.
+  std::vector<std::string> options() const override {
+    return {"--agents", "50", "--size", "1280x720", "--set", "holds_rate=off"};
+  }
   void SetUp() override {
     WindowDriver::SetUp();
     point_at_the_corner();
@@ -111,7 +115,7 @@ TEST_F(WindowSize, HasAPanelOfTheScaleOfItsDisplayUnlessAnotherIsAskedFor) {
 class LargeOverlay : public WindowSize {
  protected:
   std::vector<std::string> options() const override {
-    return {"--agents", "50", "--size", "1280x720", "--ui-scale", "2"};
+    return {"--agents", "50", "--size", "1280x720", "--set", "holds_rate=off", "--ui-scale", "2"};
   }
 };
 

@@ -33,8 +33,8 @@ inline void set_cost(Tuning& tuning, const PictureCost& cost) {
   tuning.crowd_shade = cost.crowd_shade;
 }
 
-/// The costs in the order in which a window that holds a frame rate goes down them: light first, then pixels. The
-/// triangles follow the pixels: 300 people of a small picture have no more within the error that a processor allows.
+/// The costs in the order in which a window that holds a frame rate goes down them: light first, then pixels and
+/// triangles together, since a smaller picture shows less of a mesh.
 inline constexpr std::array picture_costs = std::to_array<PictureCost>({
     {100, 0, true, true},
     {100, 0, true, false},

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <memory>
 #include <optional>
-#include <string_view>
 #include <utility>
 
 #include "app/people/crowd/crowd.h"
@@ -63,10 +62,6 @@ Result<std::shared_ptr<const Trajectories>> tracks_of(const CrowdSetup& setup, c
   return std::make_shared<const Trajectories>(std::move(*read));
 }
 
-bool shows_a_window(Show& show) {
-  return show.painter().draws() && show.painter().context().kind() == std::string_view("window");
-}
-
 }  // namespace
 
 CrowdEditor::CrowdEditor(Show& show, FrameReporter& reporter)
@@ -94,7 +89,8 @@ bool CrowdEditor::open(const CrowdSetup& setup, const std::string& file) {
   if (*tracks == nullptr) forget_tracks(before);
   DemoOptions options;
   begin_with(setup, options);
-  options.context = shows_a_window(show_) ? ContextKind::window : ContextKind::headless_default;
+  const bool is_in_window = show_.painter().draws() && show_.painter().context().window() != nullptr;
+  options.context = is_in_window ? ContextKind::window : ContextKind::headless_default;
   const Status begun = show_.begin_as(options);
   reporter_.describe_characters(show_);
   if (!begun) refuse(file, begun.error().message);

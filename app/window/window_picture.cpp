@@ -65,14 +65,15 @@ Status WindowPicture::present(Overlay& overlay, bool is_used) {
                        Overlay::panel_color());
   }
   Status drawn = show_.draw();
-  const bool is_first = show_.stage().posed().frame() <= 1;
-  if (messages_.report(drawn) || !is_first) drawn = Done{};
   renderer.draw_overlay(*overlay.draw_data(), keeps_panel(is_used));
   const Status finished = renderer.finish();
+  if (drawn) drawn = finished;
+  const bool is_first = show_.stage().posed().frame() <= 1;
+  if (messages_.report(drawn) || !is_first) drawn = Done{};
   drawn_at_ = Clock::now();
   renderer.present();
   if (show_.painter().is_on_software()) drawn_at_ = Clock::now();  // it copies the picture, and waits for no screen
-  return drawn ? finished : drawn;
+  return drawn;
 }
 
 void WindowPicture::build_saved_shaders(Clock::time_point now) {

@@ -37,7 +37,11 @@ WindowSession::WindowSession(Show& show_in_window, const DemoOptions& given)
       reporter(show),
       editor(show, reporter),
       rate(set_by_hand(given), show.painter().is_on_software()),
-      first_quality(quality_of(editor.tuning())) {}
+      first_quality(quality_of(editor.tuning())) {
+  if (options.no_settings) return;
+  if (const auto settings = read_user_settings(user_settings_file()))
+    reporter.report().recent_files = settings->recent_files;
+}
 
 void WindowSession::show_wanted_values(bool exact_crowd) {
   const Tuning& tuning = editor.tuning();
@@ -63,6 +67,7 @@ void WindowSession::keep_settings(glm::ivec2 window_size) const {
     settings.width = window_size.x;
     settings.height = window_size.y;
   }
+  settings.recent_files = reporter.report().recent_files;
   if (settings == before) return;
   if (const Status kept = write_user_settings(file, settings); !kept) end_with(exit_done, kept.error().message);
 }

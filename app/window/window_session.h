@@ -24,12 +24,12 @@ struct WindowSession {
 
   Messages& messages() { return reporter.messages(); }
 
-  /// Returns the values that the panel shows: those that are asked for, at the cost that holds the frame rate.
+  /// Returns the values that the panel shows: the values that a person asks for, at the cost that holds the frame rate.
   Tuning shown_values() const { return rate.kept(editor.tuning()); }
   /// Gives the show the values of the next frame: those of the exact crowd while a person holds its key, of the next
   /// stop of a sweep, or as the panel shows them.
   void show_wanted_values(bool exact_crowd);
-  /// Leaves the quality and the size of the window to the next one, where a person changed them in this one.
+  /// Leaves quality, size and recent files of the window to the next one, where a person changed them in this one.
   void keep_settings(glm::ivec2 window_size) const;
   /// Returns the work of the person that a crowd file holds.
   CrowdWork crowd_work() const;

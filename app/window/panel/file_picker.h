@@ -56,7 +56,7 @@ class FilePicker {
   std::string ending_;
   std::optional<Purpose> purpose_;
   std::filesystem::path folder_ = ".";
-  std::vector<Row> in_folder_, rows_;  // all, and those that are shown
+  std::vector<Row> in_folder_, rows_;  // all files of the folder, and the files that the list shows
   std::string field_;
   std::string complaint_;                      // why the field names no file to take; empty: it does
   std::optional<std::filesystem::path> over_;  // the file that is replaced when it is asked for once more

@@ -26,7 +26,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// Two people on an open floor, 10 m apart, the first of whom goes along x at 1.5 m/s. The file's place (100, 50) is
+/// Two people on an open floor, 10 m apart. The first person goes along x at 1.5 m/s. The file's place (100, 50) is
 /// the origin.
 Trajectories two_people() {
   Trajectories all;

@@ -54,6 +54,7 @@ class WindowRequests {
   void carry_out(const FrameCrowd& /*asked*/) { session_.camera.frame_crowd(session_.show); }
   void carry_out(const LeaveUnsaved& asked);
   void carry_out(const KeepWorking& asked);
+  void carry_out(const CancelJob& /*asked*/) {}  // no job goes on beside the crowd yet
   void take_at_once(const Request& request);
   void go_on_leaving();
   void copy(const std::string& options);

@@ -19,6 +19,7 @@
 #include "app/show/camera/camera_bookmarks.h"
 #include "app/show/lod/lod_thresholds.h"
 #include "app/show/report/frame_details.h"
+#include "app/show/report/job_report.h"
 #include "app/show/report/messages.h"
 #include "app/show/report/replay_report.h"
 #include "app/show/report/selection_report.h"
@@ -140,8 +141,9 @@ struct FrameReport {
   std::string gl_version, gl_renderer;
   std::string notice;    ///< warnings that stay, a line each, such as what a software renderer turns down; may be empty
   std::string given_up;  ///< what a window gives up to hold its frame rate, in a line; may be empty
-  std::string rate_advice;  ///< what a person can do about slow frames, in a line; may be empty
-  Messages messages;        ///< the messages that the person was told
+  std::string rate_advice;      ///< what a person can do about slow frames, in a line; may be empty
+  Messages messages;            ///< the messages that the person was told
+  std::vector<JobReport> jobs;  ///< that go on beside the crowd
   RecordingReport recording;
   int frame = 0;
   float frame_ms = 0, update_ms = 0, draw_ms = 0;

@@ -14,6 +14,7 @@
 #include "app/character/roles.h"
 #include "app/people/wardrobe/cast_tuning.h"
 #include "app/settings/settings.h"
+#include "app/show/report/job_report.h"
 #include "app/show/report/swept_value.h"
 #include "app/show/report/viewer_report.h"
 #include "app/show/request/chosen_character.h"
@@ -207,6 +208,10 @@ struct Quit {};
 /// A person who is asked about unsaved work gives it up, or goes on with it.
 struct LeaveUnsaved {};
 struct KeepWorking {};
+/// A job that goes on beside the crowd ends; what was there before stays.
+struct CancelJob {
+  SideJob job = SideJob::loading;
+};
 /// The window fills its screen, or goes back to its place.
 struct ToggleFullScreen {};
 
@@ -327,7 +332,7 @@ struct SetReplaySpeed {
 
 using WindowRequest = std::variant<SelectAt, OpenFiles, Undo, Redo, Tell, ToggleRecording, CopyCamera, CopyCommandLine,
                                    ReloadShaders, ShowCharacter, TuneRules, StartSweep, StopSweep, LookAtFrame,
-                                   LookAtLastFrames, FrameCrowd, LeaveUnsaved, KeepWorking>;
+                                   LookAtLastFrames, FrameCrowd, LeaveUnsaved, KeepWorking, CancelJob>;
 /// What the loop does with the frame in which it is asked for.
 using FrameRequest = std::variant<StepFrame, ShowExactCrowd, TakeScreenshot, ToggleFullScreen, Quit>;
 using FileRequest = std::variant<SavePreset, LoadPreset, DeletePreset, LoadIntoOther, SaveCrowd, OpenCrowd, SaveRules,

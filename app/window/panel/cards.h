@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/show/camera/input.h"
 #include "app/show/report/frame_report.h"
@@ -24,6 +25,10 @@ void show_frame_strip(Widgets& widgets, const Area& place, const FrameReport& re
 /// Shows the keys and explains every word of the panel, or only the entries with the letters of `searched`, which the
 /// edits there. Returns whether the person closed the card.
 bool show_help_card(Widgets& widgets, const Area& crowd, std::string& searched);
+
+/// Shows at the top of the crowd how far each job is, with a button that cancels it. Returns the y where other things
+/// over the crowd begin.
+float show_jobs(Widgets& widgets, const Area& crowd, const std::vector<JobReport>& jobs, Requests& requests);
 
 /// Shows the messages so far, the newest first. Returns whether the person closed the card.
 bool show_log_card(Widgets& widgets, const Area& crowd, const Messages& messages);

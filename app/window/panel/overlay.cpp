@@ -94,6 +94,7 @@ struct Overlay::State {
   void apply_keys(const FrameReport& report, Tuning& tuning, Requests& requests);
   void show_dialogs(const FrameReport& report, const InputFrame& keys, Requests& requests);
   void save(const FrameReport& report, bool anew, Requests& requests);
+  Area below_jobs(Area crowd, const FrameReport& report, Requests& requests);
   void show_crowd(const Layout& layout, const TabContext& context_of_tab);
   void show_viewer(const Layout& layout, const TabContext& context_of_tab);
 };
@@ -259,10 +260,15 @@ void Overlay::State::show_edge(const Layout& layout) {
   ImGui::End();
 }
 
+Area Overlay::State::below_jobs(Area crowd, const FrameReport& report, Requests& requests) {
+  crowd.from.y = show_jobs(widgets, crowd, report.jobs, requests);
+  return crowd;
+}
+
 void Overlay::State::show_crowd(const Layout& layout, const TabContext& context_of_tab) {
   const FrameReport& report = context_of_tab.report;
-  Area below_notices = layout.crowd;
-  below_notices.from.y = show_notices(context_of_tab, layout.crowd);
+  Area below_notices = below_jobs(layout.crowd, report, context_of_tab.requests);
+  below_notices.from.y = show_notices(context_of_tab, below_notices);
   show_frame_strip(widgets, layout.strip, report, context_of_tab.requests);
   if (last_of<LookAtFrame>(context_of_tab.requests) != nullptr) column.go_to("Scheduling");
   column.show_tabs(layout.column, context_of_tab, switches);
@@ -272,7 +278,7 @@ void Overlay::State::show_crowd(const Layout& layout, const TabContext& context_
 }
 
 void Overlay::State::show_viewer(const Layout& layout, const TabContext& context_of_tab) {
-  show_notices(context_of_tab, layout.crowd);
+  show_notices(context_of_tab, below_jobs(layout.crowd, context_of_tab.report, context_of_tab.requests));
   show_bone_name(theme, layout.crowd, *context_of_tab.report.viewer);
   column.show_viewer(layout.column, context_of_tab, switches);
 }

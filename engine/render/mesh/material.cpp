@@ -1,10 +1,10 @@
 #include "engine/render/mesh/material.h"
 
 #include <algorithm>
-#include <bit>
 #include <string>
 
 #include "engine/render/gl/device_limits.h"
+#include "engine/render/mesh/mip_levels.h"
 
 namespace throng::render {
 namespace {
@@ -12,20 +12,23 @@ namespace {
 // A rougher surface that is no metal mirrors too little to be seen.
 constexpr float matt = 0.8F;
 
-gl::Texture create_image(const ImageData& image, GLenum format) {
-  const auto mip_levels =
-      static_cast<GLsizei>(std::bit_width(static_cast<unsigned>(std::max(image.width, image.height))));
-  gl::Texture texture = gl::create_texture(format, image.width, image.height, mip_levels);
-  const GLuint id = texture.id();
+gl::Texture create_image(const ImageData& image, ImageKind kind) {
+  const auto levels = mip_levels(image, kind);
+  const GLenum format = kind == ImageKind::colors ? GL_SRGB8_ALPHA8 : GL_RGBA8;
+  gl::Texture texture = gl::create_texture(format, image.width, image.height, static_cast<GLsizei>(levels.size() + 1));
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTextureSubImage2D(id, 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-  glGenerateTextureMipmap(id);
+  const auto copy = [&](GLint level, const std::uint8_t* rgba) {
+    glTextureSubImage2D(texture.id(), level, 0, 0, std::max(image.width >> level, 1),
+                        std::max(image.height >> level, 1), GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+  };
+  copy(0, image.rgba.data());
+  for (std::size_t i = 0; i < levels.size(); ++i) copy(static_cast<GLint>(i + 1), levels[i].data());
   return texture;
 }
 
 gl::Texture create_white() {
   constexpr std::array<std::uint8_t, 4> white = {255, 255, 255, 255};
-  return create_image({1, 1, white}, GL_RGBA8);
+  return create_image({1, 1, white}, ImageKind::numbers);
 }
 
 Status check_size(const ImageData& image, std::size_t index) {
@@ -82,18 +85,18 @@ Result<MaterialSet> MaterialSet::create(const CrowdMeshData& data) {
 }
 
 Status MaterialSet::add_images(const CrowdMeshData& data) {
-  const auto add = [&data](Images& images, GLenum format, int index, const auto& uses) -> Status {
+  const auto add = [&data](Images& images, ImageKind kind, int index, const auto& uses) -> Status {
     gl::Texture& texture = images.emplace_back();
     const auto is_used = [&](const MaterialData& material) { return uses(material, index); };
     if (!std::ranges::any_of(data.materials, is_used)) return Done{};
     const auto place = static_cast<std::size_t>(index);
     if (Status fits = check_size(data.images[place], place); !fits) return fits;
-    texture = create_image(data.images[place], format);
+    texture = create_image(data.images[place], kind);
     return Done{};
   };
   for (int i = 0; i < static_cast<int>(data.images.size()); ++i) {
-    if (Status added = add(colors_, GL_SRGB8_ALPHA8, i, shows_color); !added) return added;
-    if (Status added = add(numbers_, GL_RGBA8, i, reads_numbers); !added) return added;
+    if (Status added = add(colors_, ImageKind::colors, i, shows_color); !added) return added;
+    if (Status added = add(numbers_, ImageKind::numbers, i, reads_numbers); !added) return added;
   }
   return Done{};
 }

@@ -69,7 +69,7 @@ void Renderer::bind_palette_page(std::uint32_t page, unsigned binding) const { p
 
 void Renderer::reset_palette_pages() {
   glFinish();
-  parts_->palettes = PaletteBuffer();
+  parts_->palettes.take_back_pages();
 }
 
 void Renderer::end_frame(std::uint64_t frame) { parts_->fences.insert(frame); }

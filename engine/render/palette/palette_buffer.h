@@ -20,16 +20,24 @@ class PaletteBuffer final : public PalettePageSource {
   explicit PaletteBuffer(std::size_t first_page = first_page_bytes);
 
   PalettePage add_page() override;
+  /// Takes all pages back, once the device has finished reading them. The first one is lent again, since new memory
+  /// costs a frame on a device that is a processor.
+  void take_back_pages();
 
-  std::size_t page_count() const { return pages_.size(); }
+  std::size_t page_count() const { return lent_; }
 
   /// Binds a page as storage block `binding` of every program.
   void bind(std::uint32_t page, GLuint binding) const;
 
  private:
-  std::size_t next_page_bytes_;
+  struct Page {
+    gl::Buffer buffer;
+    PalettePage memory;
+  };
+  std::size_t first_page_bytes_;
   std::size_t block_limit_ = 0;
-  std::vector<gl::Buffer> pages_;
+  std::vector<Page> pages_;
+  std::size_t lent_ = 0;  // of pages_; the page behind them waits
 };
 
 }  // namespace throng::render

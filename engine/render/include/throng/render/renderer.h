@@ -81,7 +81,7 @@ class Renderer {
   /// Binds a palette page as storage block `binding`, for programs other than the renderer's own.
   void bind_palette_page(std::uint32_t page, unsigned binding) const;
 
-  /// Drops all pages, for a new PaletteSlots. Waits for the device.
+  /// Takes all pages back, for a new PaletteSlots. Waits for the device.
   void reset_palette_pages();
 
   /// Notes that all draws of a frame, 1 or more, were called. A frame may be drawn again. A frame that is not drawn

@@ -25,7 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* built_in_name = "mannequin (built in)";
 constexpr std::uintmax_t spaces_for_a_pack = 4;  // less address space: no pack, for half of it is copied
 
 Result<std::uint64_t> fingerprint_of(const BuiltInFiles& files) {

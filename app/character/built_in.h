@@ -13,6 +13,9 @@ namespace throng::app {
 /// start neither imports nor bakes nor simplifies a model.
 inline constexpr const char* built_in_pack_name = "built_in.pack";
 
+/// The name of the built-in character.
+inline constexpr const char* built_in_name = "mannequin (built in)";
+
 /// Loads the character that comes with the program, from the folders that --data leads.
 Result<CharacterSource> load_built_in(const std::string& data_option, const LoadOptions& options = {});
 

@@ -19,6 +19,7 @@
 #include "engine/base/text/joined.h"
 #include "engine/base/text/plain_text.h"
 #include "engine/crowd/surface_data.h"
+#include "engine/render/mesh/packed_surface.h"
 
 namespace throng::app {
 namespace {
@@ -264,6 +265,13 @@ render::CrowdMeshData mesh_data(const CharacterSource& source) {
   data.poses = posed_palettes(model);
   data.bone_ends = bone_ends(model.skeleton);
   return data;
+}
+
+void build_surface(CharacterSource& source) {
+  if (!source.surface.bytes.empty()) return;
+  const auto packed = std::make_shared<const std::vector<std::byte>>(
+      render::pack_surface(render::view_of(render::build_surface(mesh_data(source)))));
+  source.surface = {.bytes = *packed, .lender = packed};
 }
 
 }  // namespace throng::app

@@ -89,6 +89,9 @@ void take_order(CharacterSource& source, const BoneLodChoice& choice);
 /// Plays `clips` for the roles, and measures the velocities of the gaits among them.
 void assign_roles(CharacterSource& source, const RoleClips& clips);
 
+/// Builds its surface as drawing copies it to a device, where it has none; which takes a moment.
+void build_surface(CharacterSource& source);
+
 /// Returns the surface as drawing takes it. Its spans point into `source`, which must outlive the call that uses them.
 render::CrowdMeshData mesh_data(const CharacterSource& source);
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/show/beginning.h"
+#include "app/show/load_plan.h"
 #include "app/show/request_history.h"
 #include "app/show/show_parts.h"
 #include "app/show/show_requests.h"
@@ -28,6 +29,16 @@ Status Show::replace_characters(std::vector<CharacterSource> characters) {
   notice_ = notice_of(*parts_);
   return replaced;
 }
+
+LoadPlan Show::plan_for(std::span<const CrowdRequest> requests) const {
+  LoadPlan plan{.options = parts_->models.options, .data = parts_->models.data, .is_drawn = parts_->painter->draws()};
+  for (const CrowdRequest& request : requests) {
+    if (auto cast = cast_to_load(request, parts_->stage->people())) plan.casts.push_back(std::move(*cast));
+  }
+  return plan;
+}
+
+void Show::take_ahead(std::deque<LoadedCast> casts) { parts_->models.ahead = std::move(casts); }
 
 Status Show::replace_trajectories(std::shared_ptr<const Trajectories> trajectories) {
   Status replaced = app::replace_trajectories(std::move(trajectories), *parts_);
@@ -73,6 +84,7 @@ void Show::update(Ticks delta, const LodView* as_recorded) {
   if (parts_->keeps_moments && !tuning.paused && !has_clock_of_its_own) parts_->rewind.watch(stage);
   if (had_memory && stage.posed().shown().out_of_memory()) notice_ = notice_of(*parts_);
   parts_->figures.add_update(stage, start, milliseconds);
+  parts_->past_stage = std::move(parts_->replaced_stage);  // the frame after ends it, since that takes a frame's time
 }
 
 void Show::take_live_rows(Ticks step) {

@@ -3,9 +3,11 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,8 @@ class RunFigures;
 class Stage;
 class Viewer;
 struct CharacterSource;
+struct LoadPlan;
+struct LoadedCast;
 struct LodView;
 struct RecordedFrame;
 struct ShowParts;
@@ -51,6 +55,11 @@ class Show {
   Status take(const CrowdRequest& request);
   /// Gives all agents other characters, 1 to most_models, as SetCast does with characters that are loaded already.
   Status replace_characters(std::vector<CharacterSource> characters);
+  /// Returns the plan to load, ahead of them, what requests bring from files.
+  LoadPlan plan_for(std::span<const CrowdRequest> requests) const;
+  /// Takes characters that were loaded for the next requests that bring some, in their order. Characters that were
+  /// loaded for requests that did not come are given up.
+  void take_ahead(std::deque<LoadedCast> casts);
   /// Shows a recorded crowd in place of all agents, with the characters that are there, at a frame boundary. It begins
   /// at its first row, is repeated, and the scene `tracks` brings its camera. Null forgets the recorded crowd that was
   /// there, while another scene is shown. Errors: the show is recorded, or memory lacks; then nothing has changed.

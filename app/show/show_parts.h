@@ -1,9 +1,11 @@
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "app/character/cast_files.h"
 #include "app/character/load_options.h"
 #include "app/show/figures/run_figures.h"
 #include "app/show/painter.h"
@@ -21,6 +23,7 @@ struct LoadedModels {
   LoadOptions options;                ///< of models that are dropped too
   std::string data;                   ///< the folder that --data names
   std::vector<std::string> left_out;  ///< of the files that were named or dropped
+  std::deque<LoadedCast> ahead;       ///< loaded for the next requests that bring characters
 };
 
 /// What a show is made of. open_show() fills it.
@@ -28,9 +31,11 @@ struct ShowParts {
   ShowView view;
   LoadedModels models;
   std::unique_ptr<Painter> painter;
-  std::unique_ptr<Stage> stage;     ///< goes before the painter, as it uses the painter's pages
-  std::unique_ptr<LiveCrowd> live;  ///< null: no rows come
-  std::unique_ptr<Viewer> viewer;   ///< null: the crowd is shown; goes before the stage, as it uses the stage's slots
+  std::unique_ptr<Stage> stage;           ///< goes before the painter, as it uses the painter's pages
+  std::unique_ptr<Stage> replaced_stage;  ///< in this frame; null: none was
+  std::unique_ptr<Stage> past_stage;      ///< replaced in the frame before
+  std::unique_ptr<LiveCrowd> live;        ///< null: no rows come
+  std::unique_ptr<Viewer> viewer;  ///< null: the crowd is shown; goes before the stage, as it uses the stage's slots
   RunFigures figures;
   Recorder recorder;
   Rewind rewind;

@@ -3,11 +3,10 @@
 #include <string>
 #include <utility>
 
-#include "app/character/cast_files.h"
 #include "app/character/source.h"
 #include "app/people/wardrobe/cast_rules_text.h"
 #include "app/settings/option_values.h"
-#include "app/show/opened_crowd.h"
+#include "app/show/load_plan.h"
 #include "app/show/stage/memory_needs.h"
 #include "app/show/stage/stage.h"
 #include "engine/base/text/plain_text.h"
@@ -43,12 +42,22 @@ Status exchange(std::vector<CharacterSource> characters, const Tuning& tuning,
   if (before.animated().event_sums()) stage.animated().sum_up_events();
   show.viewer.reset();
   show.painter->reset_palette_pages();  // the new stage has asked for none yet
-  show.stage = std::move(*made);
+  show.replaced_stage = std::exchange(show.stage, std::move(*made));
   show.rewind.forget();
   return Done{};
 }
 
-Status take_cast(Result<LoadedCast> loaded, ShowParts& show) {
+/// Returns the characters that a request brings: loaded ahead, or now.
+Result<LoadedCast> cast_for(const CrowdRequest& request, ShowParts& show) {
+  LoadedModels& models = show.models;
+  if (models.ahead.empty()) return load(*cast_to_load(request, show.stage->people()), models.options, models.data);
+  LoadedCast cast = std::move(models.ahead.front());
+  models.ahead.pop_front();
+  return cast;
+}
+
+Status take_cast(const CrowdRequest& request, ShowParts& show) {
+  auto loaded = cast_for(request, show);
   if (!loaded) return loaded.error();
   if (Status replaced = replace_characters(std::move(loaded->characters), show); !replaced) return replaced;
   show.models.left_out = std::move(loaded->left_out);
@@ -85,31 +94,18 @@ Status carry_out(const SetBones& bones, ShowParts& show) {
 Status carry_out(const SetPlacement& placement, ShowParts& show) {
   const Stage& stage = *show.stage;
   if (Status there = has_character(stage, placement.character); !there) return there;
-  auto placed =
-      placed_anew(stage.people()[placement.character], placement.choice, show.models.options, show.models.data);
-  if (!placed) return placed.error();
+  auto cast = cast_for(placement, show);
+  if (!cast) return cast.error();
   std::vector<CharacterSource> characters(stage.people().begin(), stage.people().end());
-  characters[placement.character] = std::move(*placed);
+  CharacterSource& placed = characters[placement.character];
+  const CharacterSource before = std::exchange(placed, std::move(cast->characters.front()));
+  placed.cast_rules = before.cast_rules;
+  placed.rules_are_chosen = before.rules_are_chosen;  // another size chooses no rules
   return exchange(std::move(characters), stage.tuning(), stage.trajectories(), show);
 }
 
-Status carry_out(const LoadModels& models, ShowParts& show) {
-  auto loaded = load_dropped(models.files, show.models.options);
-  if (!loaded) return loaded.error();
-  for (CharacterSource& character : loaded->characters) {
-    if (const Status kept = take_kept_roles(character); !kept) return kept.error();
-  }
-  return take_cast(std::move(loaded), show);
-}
-
-Status carry_out(const SetCast& cast, ShowParts& show) {
-  const std::size_t count = cast.characters.size();
-  if (count >= 1 && count <= most_models) {
-    return take_cast(load_crowd(cast.characters, show.models.data, show.models.options), show);
-  }
-  return Error{"a crowd has 1 to " + std::to_string(most_models) + " characters, not " + std::to_string(count)};
-}
-
+Status carry_out(const LoadModels& models, ShowParts& show) { return take_cast(models, show); }
+Status carry_out(const SetCast& cast, ShowParts& show) { return take_cast(cast, show); }
 Status carry_out(const GoBack& back, ShowParts& show) { return show.rewind.go_back(*show.stage, back.moment); }
 
 Status carry_out(const SetShare& share, Stage& stage) {

@@ -1,8 +1,6 @@
 #include "app/window/crowd_editor.h"
 
 #include <algorithm>
-#include <chrono>
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -19,8 +17,6 @@
 
 namespace throng::app {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 bool differ_in_pause_alone(const Tuning& tuning, Tuning other) {
   other.paused = tuning.paused;
@@ -48,20 +44,6 @@ std::optional<anim::BodyRole> changed_part(const std::vector<RigChoice>& before,
   return changed;
 }
 
-/// Reads the recorded crowd of a setup, before anything changes. Returns null where there is none.
-Result<std::shared_ptr<const Trajectories>> tracks_of(const CrowdSetup& setup, const Show& show) {
-  const TrajectoryOptions& asked = setup.trajectories;
-  const bool lacks_tracks = setup.preset.tuning.scene == Scene::tracks && show.stage().trajectories() == nullptr;
-  if (asked.file.empty() && lacks_tracks) return Error{"it does not name its recorded crowd; drop that file first"};
-  if (asked.file.empty()) return std::shared_ptr<const Trajectories>();
-  if (asked.file == "-") return Error{"its rows come from standard input; start the program with the file"};
-  if (show.recorder().is_recording()) return Error{no_recording_of_tracks};
-  auto read = read_trajectories(asked.file, asked.reading);
-  if (!read) return read.error();
-  if (const auto clock = first_clock(*read, asked, true); !clock) return clock.error();
-  return std::make_shared<const Trajectories>(std::move(*read));
-}
-
 }  // namespace
 
 CrowdEditor::CrowdEditor(Show& show, FrameReporter& reporter)
@@ -77,16 +59,31 @@ bool CrowdEditor::take(const CrowdRequest& request, const std::string& file) {
   return true;
 }
 
-bool CrowdEditor::open(const CrowdSetup& setup, const std::string& file) {
-  const auto tracks = tracks_of(setup, show_);
-  if (!tracks) return refuse(file, tracks.error().message);
+Result<LoadPlan> CrowdEditor::plan_to_open(const CrowdSetup& setup) const {
+  const TrajectoryOptions& asked = setup.trajectories;
+  const bool lacks_tracks = setup.preset.tuning.scene == Scene::tracks && show_.stage().trajectories() == nullptr;
+  if (asked.file.empty() && lacks_tracks) return Error{"it does not name its recorded crowd; drop that file first"};
+  if (asked.file == "-") return Error{"its rows come from standard input; start the program with the file"};
+  if (!asked.file.empty() && show_.recorder().is_recording()) return Error{no_recording_of_tracks};
+  const CrowdRequest cast = SetCast{setup.characters};
+  LoadPlan plan = show_.plan_for({&cast, 1});
+  plan.tracks = asked.file;
+  plan.reading = asked.reading;
+  return plan;
+}
+
+bool CrowdEditor::open(const CrowdSetup& setup, const std::string& file, const ShownTracks& tracks) {
+  if (tracks != nullptr) {
+    if (const auto clock = first_clock(*tracks, setup.trajectories, true); !clock)
+      return refuse(file, clock.error().message);
+  }
   if (!take(SetCast{setup.characters}, file)) return false;
-  if (*tracks != nullptr && !take(*tracks)) return false;
+  if (tracks != nullptr && !take(tracks)) return false;
   const Tuning before = tuning_;
   Tuning tuning = setup.preset.tuning;
   tuning.inspection = with_kept_values(tuning_.inspection, tuning.inspection);
   if (!take(Apply{tuning}, file)) return false;
-  if (*tracks == nullptr) forget_tracks(before);
+  if (tracks == nullptr) forget_tracks(before);
   DemoOptions options;
   begin_with(setup, options);
   const bool is_in_window = show_.painter().draws() && show_.painter().context().window() != nullptr;
@@ -103,21 +100,19 @@ bool CrowdEditor::refuse(const std::string& file, const std::string& why) {
 }
 
 bool CrowdEditor::make(const CrowdRequest& request, const std::string& file) {
-  const Clock::time_point start = Clock::now();
   const Status made = show_.take(request);
   if (!made) return say_why_not(request, (file.empty() ? "" : file + ": ") + made.error().message), false;
   if (std::holds_alternative<Apply>(request)) follow();
   if (brings_characters(request)) reporter_.describe_characters(show_);
-  say_what_came_of(request, std::chrono::duration<double>(Clock::now() - start).count());
+  say_what_came_of(request);
   return true;
 }
 
-void CrowdEditor::say_what_came_of(const CrowdRequest& request, double seconds) {
+void CrowdEditor::say_what_came_of(const CrowdRequest& request) {
   const auto* const placement = std::get_if<SetPlacement>(&request);
   if (placement == nullptr) return;
   const CharacterSource& placed = show_.stage().people()[placement->character];
-  reporter_.messages().say(placed.name + ": " + placed.placement.reasons + "; made anew in " + fixed(seconds, 1) +
-                           " s");
+  reporter_.messages().say(placed.name + ": " + placed.placement.reasons);
 }
 
 void CrowdEditor::say_why_not(const CrowdRequest& request, const std::string& why) {
@@ -175,6 +170,14 @@ void CrowdEditor::redo() {
   const RequestHistory::Step* const step = history_.next();
   if (step == nullptr) return reporter_.messages().say("There is nothing to make again.");
   if (show_tracks(step->tracks_forth) && make_all(step->forth)) history_.made_again();
+}
+
+LoadPlan CrowdEditor::plan_to_undo() const {
+  return history_.last() != nullptr ? show_.plan_for(history_.last()->back) : LoadPlan();
+}
+
+LoadPlan CrowdEditor::plan_to_redo() const {
+  return history_.next() != nullptr ? show_.plan_for(history_.next()->forth) : LoadPlan();
 }
 
 bool CrowdEditor::can_undo_bones() const {

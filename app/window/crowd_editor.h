@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/show/load_plan.h"
 #include "app/show/request/crowd_file.h"
 #include "app/show/request/request.h"
 #include "app/show/request_history.h"
@@ -20,9 +21,11 @@ class CrowdEditor {
 
   /// Makes a request, which may come from a `file`. Returns whether it was made; if not, the person is told why.
   bool take(const CrowdRequest& request, const std::string& file = {});
-  /// Opens all that a crowd file holds: the characters, the recorded crowd, the values and the camera. Returns whether
-  /// the crowd is there; if not, the person is told why.
-  bool open(const CrowdSetup& setup, const std::string& file);
+  /// Returns the plan to load what a crowd file names. Errors: the window cannot show it now.
+  Result<LoadPlan> plan_to_open(const CrowdSetup& setup) const;
+  /// Opens all that a crowd file holds: the characters, the recorded crowd, which was loaded, the values and the
+  /// camera. Returns whether the crowd is there; if not, the person is told why.
+  bool open(const CrowdSetup& setup, const std::string& file, const ShownTracks& tracks);
   /// Takes values that are no step to take back, such as the values of the other of two tunings.
   bool take_in_passing(const Tuning& tuning) { return make(Apply{tuning}); }
   /// Shows a recorded crowd, and a step back shows what was there. A live crowd that was there does not come back.
@@ -31,6 +34,9 @@ class CrowdEditor {
   /// Takes the last change back, or makes it again. The pause is no part of it.
   void undo();
   void redo();
+  /// Returns the plan to load what undo() or redo() brings back.
+  LoadPlan plan_to_undo() const;
+  LoadPlan plan_to_redo() const;
   /// Ends a change: later requests are another step.
   void end_change() { ++change_; }
   /// Returns whether undo() would take back another order of bones.
@@ -48,7 +54,7 @@ class CrowdEditor {
   bool show_tracks(const ShownTracks& tracks);
   /// Forgets the recorded crowd that is not shown any more. A step back shows it again, with the values of `before`.
   void forget_tracks(const Tuning& before);
-  void say_what_came_of(const CrowdRequest& request, double seconds);
+  void say_what_came_of(const CrowdRequest& request);
   void say_why_not(const CrowdRequest& request, const std::string& why);
 
   Show& show_;

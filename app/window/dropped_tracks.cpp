@@ -1,7 +1,6 @@
 #include "app/window/dropped_tracks.h"
 
 #include <algorithm>
-#include <memory>
 #include <utility>
 
 #include "app/show/camera/fly_camera.h"
@@ -11,11 +10,10 @@
 #include "app/show/stage/stage.h"
 #include "engine/base/text/joined.h"
 #include "engine/tracks/read.h"
+#include "engine/tracks/trajectories.h"
 
 namespace throng::app {
 namespace {
-
-constexpr int frames_to_say_it = 2;  // one in which it is asked for, one in which the words are drawn
 
 /// Files that came together, by their kinds.
 struct Sorted {
@@ -56,37 +54,27 @@ Result<std::optional<TracksToRead>> tracks_to_read(std::span<const std::string> 
   return std::optional<TracksToRead>({file, all.walls.empty() ? std::string() : all.walls.front()});
 }
 
-bool DroppedTracks::takes(const std::vector<std::string>& files, WindowSession& session) {
+bool open_tracks(const std::vector<std::string>& files, WindowSession& session) {
   const Stage& stage = session.show.stage();
-  const auto asked =
-      tracks_to_read(files, stage.tuning().scene == Scene::tracks ? stage.trajectories()->file : std::string());
+  const Trajectories* const shown = stage.trajectories().get();
+  const auto asked = tracks_to_read(files, stage.tuning().scene == Scene::tracks ? shown->file : std::string());
   if (!asked) return session.messages().say(asked.error().message, Message::Kind::refused), true;
   if (!*asked) return false;
-  next_ = **asked;
-  begins_anew_ = std::ranges::any_of(files, [](const std::string& file) { return is_crowd(file); });
-  frames_until_read_ = frames_to_say_it;
-  session.messages().say("Reads " + next_.file + (next_.walls.empty() ? "" : " and " + next_.walls) + " ...");
+  const std::string file = (*asked)->file;
+  const bool is_same_file = shown != nullptr && shown->file == file;
+  LoadPlan plan = session.show.plan_for({});
+  plan.tracks = file;
+  plan.reading = is_same_file ? shown->reading : session.options.trajectories.reading;
+  plan.reading.walls = (*asked)->walls;
+  const bool begins_anew = std::ranges::any_of(files, [](const std::string& each) { return is_crowd(each); });
+  session.loading.begin(std::move(plan), [&session, file, begins_anew](const ShownTracks& tracks) {
+    if (!session.editor.take(tracks)) return;
+    session.camera.put(place_of(session.show.view().camera), session.show);
+    if (begins_anew) begin_work(session);
+    session.note_recent(file);
+    session.messages().say("Opened " + file + ": " + counted_people(tracks->persons.size()));
+  });
   return true;
-}
-
-void DroppedTracks::read_when_said(WindowSession& session) {
-  if (frames_until_read_ > 0 && --frames_until_read_ == 0) read(session);
-}
-
-void DroppedTracks::read(WindowSession& session) const {
-  const Trajectories* const shown_now = session.show.stage().trajectories().get();
-  const bool is_same_file = shown_now != nullptr && shown_now->file == next_.file;
-  TrackReading reading = is_same_file ? shown_now->reading : session.options.trajectories.reading;
-  reading.walls = next_.walls;
-  auto tracks = read_trajectories(next_.file, reading);
-  if (!tracks) return session.messages().say(tracks.error().message, Message::Kind::refused);
-  const std::size_t people = tracks->persons.size();
-  Show& show = session.show;
-  if (!session.editor.take(std::make_shared<const Trajectories>(std::move(*tracks)))) return;
-  session.camera.put(place_of(show.view().camera), show);
-  if (begins_anew_) begin_work(session);
-  session.note_recent(next_.file);
-  session.messages().say("Opened " + next_.file + ": " + counted_people(people));
 }
 
 }  // namespace throng::app

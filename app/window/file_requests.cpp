@@ -1,6 +1,7 @@
 #include "app/window/file_requests.h"
 
 #include <system_error>
+#include <utility>
 
 #include "app/files/whole_path.h"
 #include "app/show/described_crowd.h"
@@ -70,11 +71,18 @@ CrowdSetup FileRequests::described_here() const {
 void FileRequests::open_crowd(const std::filesystem::path& file) {
   const auto setup = read_crowd_file(file);
   if (!setup) return messages().say(setup.error().message, Message::Kind::refused);
-  if (!session_.editor.open(*setup, file.string())) return;
-  session_.camera.take_back(session_.show);
-  take_kept(*setup);
-  keep(file, setup->pair);
-  messages().say("Opened " + whole_path(file));
+  auto plan = session_.editor.plan_to_open(*setup);
+  if (!plan) return messages().say(file.string() + ": " + plan.error().message, Message::Kind::refused);
+  session_.loading.begin(
+      std::move(*plan),
+      [this, opened = *setup, file](const ShownTracks& tracks) {
+        if (!session_.editor.open(opened, file.string(), tracks)) return;
+        session_.camera.take_back(session_.show);
+        take_kept(opened);
+        keep(file, opened.pair);
+        messages().say("Opened " + whole_path(file));
+      },
+      file.string());
 }
 
 const CharacterSource& FileRequests::character() const { return session_.show.stage().characters()[shown()]; }

@@ -109,6 +109,8 @@ class WindowLoop {
     reporter.messages().pass(seconds);
     reporter.report().can_undo_bones = session_.editor.can_undo_bones();
     reporter.report().given_up = session_.rate.given_up(session_.editor.tuning());
+    reporter.report().jobs.clear();
+    if (const auto job = session_.loading.report()) reporter.report().jobs.push_back(*job);
     reporter.report().rate_advice = session_.rate.advice(session_.editor.tuning());
     Requests requests = overlay_.build(reporter.report(), session_.shown_values());
     if (session_.input.takes_close()) requests.ask(Quit{});

@@ -43,6 +43,7 @@ std::optional<std::string> opened_crowd(const Request& request) {
 void WindowRequests::take(const Requests& requests) {
   const bool changes_places = overlay_.tuning_pair().shows_b() != shows_b_;
   shows_b_ = overlay_.tuning_pair().shows_b();
+  session_.loading.finish();
   for (const Request& request : requests) {
     const auto* const values = as<Apply>(request);
     if (values != nullptr && changes_places) {
@@ -82,11 +83,14 @@ void WindowRequests::carry_out(const KeepWorking& /*asked*/) {
 }
 
 void WindowRequests::take_after_drawing(const Requests& requests) {
-  tracks_.read_when_said(session_);
   if (last_of<TakeScreenshot>(requests) != nullptr) take_screenshot();
 }
 
-bool WindowRequests::take(const CrowdRequest& request) {
+void WindowRequests::take(const CrowdRequest& request) {
+  session_.loading.begin(session_.show.plan_for({&request, 1}), [this, request](const ShownTracks&) { make(request); });
+}
+
+bool WindowRequests::make(const CrowdRequest& request) {
   if (const auto* const values = std::get_if<Apply>(&request)) {
     return session_.editor.take(Apply{session_.rate.changed(values->tuning, session_.editor.tuning())});
   }
@@ -121,8 +125,29 @@ void WindowRequests::carry_out(const OpenFiles& asked) {
   if (crowd != files.end()) {
     return messages().say(*crowd + ": a crowd file says who is there; drop it alone", Message::Kind::refused);
   }
-  if (tracks_.takes(files, session_) || !take(LoadModels{files})) return;
-  for (const std::string& file : files) session_.note_recent(file);
+  if (!open_tracks(files, session_)) open_models(files);
+}
+
+void WindowRequests::open_models(const std::vector<std::string>& files) {
+  const CrowdRequest models = LoadModels{files};
+  session_.loading.begin(session_.show.plan_for({&models, 1}), [this, models, files](const ShownTracks&) {
+    if (!make(models)) return;
+    for (const std::string& file : files) session_.note_recent(file);
+  });
+}
+
+// A change that is on its way is taken back by not making it.
+void WindowRequests::carry_out(const Undo& /*asked*/) {
+  if (session_.loading.goes_on()) return session_.loading.cancel();
+  session_.loading.begin(session_.editor.plan_to_undo(), [this](const ShownTracks&) { session_.editor.undo(); });
+}
+
+void WindowRequests::carry_out(const Redo& /*asked*/) {
+  session_.loading.begin(session_.editor.plan_to_redo(), [this](const ShownTracks&) { session_.editor.redo(); });
+}
+
+void WindowRequests::carry_out(const CancelJob& asked) {
+  if (asked.job == SideJob::loading) session_.loading.cancel();
 }
 
 void WindowRequests::carry_out(const ToggleRecording& /*asked*/) {

@@ -27,7 +27,7 @@ class WindowRequests {
   void take_kept(const CrowdSetup& setup) { files_.take_kept(setup); }
 
  private:
-  bool take(const CrowdRequest& request);
+  void take(const CrowdRequest& request);
   void take(const WindowRequest& request);
   void take(const FrameRequest& request) {
     closes_ |= std::holds_alternative<Quit>(request);
@@ -38,8 +38,8 @@ class WindowRequests {
   void take(const ReplayRequest& /*request*/) {}  // there is no replay
   void carry_out(const SelectAt& asked);
   void carry_out(const OpenFiles& asked);
-  void carry_out(const Undo& /*asked*/) { session_.editor.undo(); }
-  void carry_out(const Redo& /*asked*/) { session_.editor.redo(); }
+  void carry_out(const Undo& asked);
+  void carry_out(const Redo& asked);
   void carry_out(const Tell& asked) { messages().say(asked.words, Message::Kind::refused); }
   void carry_out(const ToggleRecording& asked);
   void carry_out(const CopyCamera& asked);
@@ -54,8 +54,10 @@ class WindowRequests {
   void carry_out(const FrameCrowd& /*asked*/) { session_.camera.frame_crowd(session_.show); }
   void carry_out(const LeaveUnsaved& asked);
   void carry_out(const KeepWorking& asked);
-  void carry_out(const CancelJob& /*asked*/) {}  // no job goes on beside the crowd yet
+  void carry_out(const CancelJob& asked);
   void take_at_once(const Request& request);
+  void open_models(const std::vector<std::string>& files);
+  bool make(const CrowdRequest& request);
   void go_on_leaving();
   void copy(const std::string& options);
   void take_screenshot();
@@ -64,7 +66,6 @@ class WindowRequests {
   WindowSession& session_;
   Overlay& overlay_;
   FileRequests files_;
-  DroppedTracks tracks_;
   std::optional<Request> leaving_;  // waits for the person's answer about unsaved work
   bool closes_ = false;
   bool shows_b_ = false;  // of two tunings

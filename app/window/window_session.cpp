@@ -36,6 +36,7 @@ WindowSession::WindowSession(Show& show_in_window, const DemoOptions& given)
       camera(show),
       reporter(show),
       editor(show, reporter),
+      loading(show, reporter.messages()),
       rate(set_by_hand(given), show.painter().is_on_software()),
       first_quality(quality_of(editor.tuning())) {
   if (options.no_settings) return;

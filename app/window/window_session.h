@@ -10,6 +10,7 @@
 #include "app/window/crowd_editor.h"
 #include "app/window/frame_rate_keeper.h"
 #include "app/window/frame_reporter.h"
+#include "app/window/loading.h"
 #include "app/window/unsaved_work.h"
 #include "app/window/window_camera.h"
 #include "app/window/window_input.h"
@@ -45,6 +46,7 @@ struct WindowSession {
   WindowCamera camera;
   FrameReporter reporter;
   CrowdEditor editor;  ///< it has the values that the person asks for
+  Loading loading;
   FrameRateKeeper rate;
   TuningSweep sweep;
   const std::string first_quality;  ///< that the window started with

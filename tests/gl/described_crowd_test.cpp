@@ -79,7 +79,10 @@ void drop(const CrowdSetup& setup, const std::string& file, Show& show) {
   EXPECT_TRUE(editor.take(SetCast{{ChosenCharacter{.file = files().path("models/two.glb")}}}));
   EXPECT_TRUE(editor.take(Apply{other}));
   for (int frame = 0; frame < 3; ++frame) show.animate(frame_step);
-  EXPECT_TRUE(editor.open(setup, file)) << reporter.messages().all().back().words;
+  auto loaded = load(*editor.plan_to_open(setup), [](double, const std::string&) {});
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  show.take_ahead(std::move(loaded->casts));
+  EXPECT_TRUE(editor.open(setup, file, loaded->tracks)) << reporter.messages().all().back().words;
 }
 
 /// What is open in a show, and its pictures.

@@ -1,5 +1,6 @@
 #include "app/show/load_plan.h"
 
+#include <filesystem>
 #include <utility>
 
 #include "app/character/built_in.h"
@@ -23,7 +24,8 @@ LoadProgress part_of(const LoadProgress& progress, std::size_t part, std::size_t
 
 void build_surfaces(std::vector<CharacterSource>& characters, const LoadProgress& progress) {
   for (std::size_t i = 0; i < characters.size(); ++i) {
-    progress(static_cast<double>(i) / static_cast<double>(characters.size()), characters[i].name + ", its meshes");
+    const std::string name = std::filesystem::path(characters[i].name).filename().string();
+    progress(static_cast<double>(i) / static_cast<double>(characters.size()), name + ", its meshes");
     build_surface(characters[i]);
   }
 }

@@ -10,8 +10,8 @@
 #include "app/files/exit_status.h"
 #include "app/files/nearest_names.h"
 #include "app/files/progress_bar.h"
-#include "app/files/progress_line.h"
 #include "app/show/beginning.h"
+#include "app/show/load_plan.h"
 #include "app/show/lod/tuned_view.h"
 #include "app/show/show_parts.h"
 #include "app/show/stage/memory_needs.h"
@@ -22,8 +22,9 @@
 namespace throng::app {
 namespace {
 
-// The rough shares of a start that are over when the characters are loaded and when the crowd is placed.
-constexpr double share_of_characters = 0.6, share_of_crowd = 0.9;
+// The rough shares of a start that are over when the characters are loaded, when their surfaces are built, and when the
+// crowd is placed.
+constexpr double share_of_characters = 0.5, share_of_surfaces = 0.8, share_of_crowd = 0.9;
 
 Tuning with_choices(Tuning tuning, const DeviceChoices& device) {
   if (device.agents > 0) tuning.agents = device.agents;
@@ -37,14 +38,34 @@ Tuning with_choices(Tuning tuning, const DeviceChoices& device) {
   return tuning;
 }
 
-std::shared_ptr<const Trajectories> read_tracks(const TrajectoryOptions& options, StartError& error) {
-  const auto show_share = [&](double share) {
-    show_progress("reading " + options.file + ": " + std::to_string(static_cast<int>(100.0 * share)) + "%");
-  };
-  auto read = read_trajectories(options.file, options.reading, show_share);
-  show_progress("");
-  if (!read) return fail(error, exit_job_failed, read.error().message), nullptr;
-  return std::make_shared<const Trajectories>(std::move(*read));
+/// What a start reads from files.
+struct FilesOfStart {
+  LoadedCast cast;
+  std::shared_ptr<const Trajectories> tracks;  // null: there are none
+  bool are_read = false;
+};
+
+/// Reads the files that a start names; sets the error where one cannot be used.
+FilesOfStart read_files(const DemoOptions& options, bool is_drawn, const LoadProgress& progress, StartError& error) {
+  FilesOfStart files;
+  auto cast = load_starting_characters(
+      options, error, [&](double share, const std::string& what) { progress(share_of_characters * share, what); });
+  if (!cast) return files;
+  files.cast = std::move(*cast);
+  const std::string& file = options.trajectories.file;
+  if (is_drawn) {
+    build_surfaces(files.cast.characters, [&](double share, const std::string& what) {
+      progress(share_of_characters + (share_of_surfaces - share_of_characters) * share, what);
+    });
+  }
+  files.are_read = true;
+  if (file.empty() || file == "-") return files;
+  auto read = read_trajectories(file, options.trajectories.reading, [&](double share) {
+    progress(share_of_surfaces, "reading " + file + ": " + std::to_string(static_cast<int>(100.0 * share)) + "%");
+  });
+  if (!read) return fail(error, exit_job_failed, read.error().message), FilesOfStart();
+  files.tracks = std::make_shared<const Trajectories>(std::move(*read));
+  return files;
 }
 
 std::unique_ptr<LiveCrowd> open_live(const DemoOptions& options, std::unique_ptr<LiveTracks> live, StartError& error) {
@@ -60,21 +81,18 @@ std::unique_ptr<LiveCrowd> open_live(const DemoOptions& options, std::unique_ptr
                                      pace);
 }
 
-bool open_stage(ShowParts& show, std::vector<CharacterSource> characters, const DemoOptions& options, ProgressBar& line,
-                StartError& error) {
+bool open_stage(ShowParts& show, FilesOfStart files, const DemoOptions& options, ProgressBar& line, StartError& error) {
   Tuning tuning = with_choices(options.tuning, show.painter->device_choices());
-  std::shared_ptr<const Trajectories> trajectories = show.live != nullptr ? show.live->trajectories() : nullptr;
-  if (show.live == nullptr && !options.trajectories.file.empty()) {
-    trajectories = read_tracks(options.trajectories, error);
-    if (trajectories == nullptr) return false;
-  }
+  std::shared_ptr<const Trajectories> trajectories =
+      show.live != nullptr ? show.live->trajectories() : std::move(files.tracks);
+  std::vector<CharacterSource> characters = std::move(files.cast.characters);
   if (trajectories != nullptr && tuning.scene == Scene::tracks) {
     tuning.agents = static_cast<int>(trajectories->persons.size());
   }
   if (const Status fits = check_memory(tuning, characters, nullptr); !fits) {
     return fail(error, exit_job_failed, fits.error().message);
   }
-  line.show(share_of_characters, "placing " + counted(static_cast<std::size_t>(tuning.agents), "agent"));
+  line.show(share_of_surfaces, "placing " + counted(static_cast<std::size_t>(tuning.agents), "agent"));
   StopWatch watch;
   auto stage = Stage::create(std::move(characters), tuning, show.painter->palette_pages(), 0, std::move(trajectories));
   show.figures.start().spawn_ms = watch.lap();
@@ -110,32 +128,46 @@ bool begin_viewing(Show& show, const std::string& clip, StartError& error) {
 
 }  // namespace
 
-std::unique_ptr<Show> open_show(const DemoOptions& options, StartError& error, std::unique_ptr<LiveTracks> live) {
+Result<bool> start_at_once(Painter& /*painter*/, const std::function<void(const LoadProgress&)>& work) {
+  work([](double, const std::string&) {});
+  return true;
+}
+
+std::unique_ptr<Show> open_show(const DemoOptions& options, StartError& error, std::unique_ptr<LiveTracks> live,
+                                const StartWork& do_work) {
   auto parts = std::make_unique<ShowParts>();
   parts->view.width = options.width;
   parts->view.height = options.height;
-  parts->models = {.options = load_options(options), .data = options.data, .left_out = {}};
+  parts->models.options = load_options(options);
+  parts->models.data = options.data;
   StartTimes& times = parts->figures.start();
   StopWatch watch;
   ProgressBar line;
-  line.show(0, "reading characters");
-  auto cast = load_starting_characters(
-      options, error, [&line](double share, const std::string& what) { line.show(share_of_characters * share, what); });
-  if (!cast) return nullptr;
-  line.show(share_of_characters, "opening the device");
-  times.characters_ms = watch.lap();
-  parts->models.left_out = std::move(cast->left_out);
+  line.show(0, "opening the device");
   if (!options.trace.empty()) parts->figures.keep_timeline();
   auto painter = Painter::create(options);
   if (!painter) return fail(error, exit_job_failed, painter.error().message), nullptr;
   parts->painter = std::move(*painter);
   times.device_ms = watch.lap();
-  line.show(share_of_characters, "");  // trajectories have lines of their own
+  FilesOfStart files;
+  const auto read = do_work(*parts->painter, [&](const LoadProgress& progress) {
+    const auto tell = [&](double share, const std::string& what) {
+      line.show(share, what);
+      progress(share, what);
+    };
+    tell(0, "reading characters");
+    files = read_files(options, parts->painter->draws(), tell, error);
+  });
+  if (!read) return fail(error, exit_job_failed, read.error().message), nullptr;
+  if (!*read) return fail(error, exit_done, ""), nullptr;
+  if (!files.are_read) return nullptr;
+  times.characters_ms = watch.lap();
+  parts->models.left_out = std::move(files.cast.left_out);
   if (live != nullptr) {
     parts->live = open_live(options, std::move(live), error);
     if (parts->live == nullptr) return nullptr;
   }
-  if (!open_stage(*parts, std::move(cast->characters), options, line, error)) return nullptr;
+  if (!open_stage(*parts, std::move(files), options, line, error)) return nullptr;
   watch = {};
   line.show(share_of_crowd, "making meshes");
   if (const Status loaded = parts->painter->load_meshes(*parts->stage); !loaded) {

@@ -22,6 +22,7 @@
 #include "app/show/stage/stage.h"
 #include "app/window/drawn_overlay.h"
 #include "app/window/panel/overlay.h"
+#include "app/window/start_screen.h"
 #include "app/window/stop_signals.h"
 #include "app/window/window_loop.h"
 #include "engine/base/files/output_file.h"
@@ -206,12 +207,21 @@ Result<std::unique_ptr<LiveTracks>> open_live_input(const DemoOptions& options) 
                                     : "-: it ended without a row; send rows as a table with a header"};
 }
 
+/// Returns how the start of a run does its work: in a window beside its picture.
+StartWork start_of(const DemoOptions& options) {
+  if (options.context != ContextKind::window) return start_at_once;
+  return [&options](Painter& painter, const SideWork::Work& work) { return show_start(painter, options, work); };
+}
+
+int exit_of_ended_run() { return asked_to_stop() == 0 ? static_cast<int>(exit_done) : exit_of_signal(asked_to_stop()); }
+
 int run_show(const DemoOptions& options, Replay* replay) {
   const StopSignals signals;
   StartError error;
   auto live = open_live_input(options);
   if (!live) return report(live.error()), asked_to_stop() == 0 ? exit_job_failed : exit_of_signal(asked_to_stop());
-  const std::unique_ptr<Show> show = open_show(options, error, std::move(*live));
+  const std::unique_ptr<Show> show = open_show(options, error, std::move(*live), start_of(options));
+  if (show == nullptr && error.message.empty()) return exit_of_ended_run();
   if (show == nullptr) return end_with(static_cast<ExitStatus>(error.status), error.message);
   Account account;
   const bool ran = report(run_in_words(*show, options, replay, account));
@@ -222,7 +232,7 @@ int run_show(const DemoOptions& options, Replay* replay) {
     say_on_stderr(show->notice());
     say_what_was_written(options, account);
   }
-  return asked_to_stop() == 0 ? static_cast<int>(exit_done) : exit_of_signal(asked_to_stop());
+  return exit_of_ended_run();
 }
 
 /// Returns the options of a window that starts as the last one was left. Damaged settings are said and left out.

@@ -71,11 +71,10 @@ Status fix_measured(const std::filesystem::path& report_file, FrameReport& repor
 }  // namespace
 
 Status DrawnOverlay::begin(Show& show) {
-  const auto fonts = find_data(data_folders(options_.data), "assets/fonts");
   tuning_ = show.stage().tuning();
   reporter_.emplace(show);
   if (Status reported = report(show); !reported) return reported;
-  overlay_ = std::make_unique<Overlay>(fonts ? *fonts : std::filesystem::path(), options_.ui_scale, tuning_);
+  overlay_ = std::make_unique<Overlay>(fonts_folder(options_.data), options_.ui_scale, tuning_);
   overlay_->show_tab(options_.ui_tab);
   if (options_.legend) overlay_->show_legend_only();
   if (Status prepared = show.painter().renderer().prepare_overlay(); !prepared) return prepared;

@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 
-#include "app/files/data_folder.h"
 #include "app/settings/preset.h"
 #include "app/show/figures/run_figures.h"
 #include "app/show/painter.h"
@@ -40,7 +39,7 @@ class WindowLoop {
  public:
   WindowLoop(Show& show, const DemoOptions& options, Replay* replay)
       : session_(show, options),
-        overlay_(fonts_folder(options), options.ui_scale, session_.editor.tuning(), session_.input.clipboard()) {
+        overlay_(fonts_folder(options.data), options.ui_scale, session_.editor.tuning(), session_.input.clipboard()) {
     if (replay != nullptr) replay_.emplace(*replay);
     overlay_.set_hidden(options.hide_ui);
     session_.reporter.report().preset_names = preset_names();
@@ -65,11 +64,6 @@ class WindowLoop {
 
  private:
   using Clock = std::chrono::steady_clock;
-
-  static std::filesystem::path fonts_folder(const DemoOptions& options) {
-    const auto fonts = find_data(data_folders(options.data), "assets/fonts");
-    return fonts ? *fonts : std::filesystem::path();
-  }
 
   // That of the display, unless a person asked for another.
   float panel_scale() const {

@@ -30,6 +30,9 @@ bool show_help_card(Widgets& widgets, const Area& crowd, std::string& searched);
 /// over the crowd begin.
 float show_jobs(Widgets& widgets, const Area& crowd, const std::vector<JobReport>& jobs, Requests& requests);
 
+/// Fills a window with the name of the program and the job that its start is.
+void show_start_card(Widgets& widgets, const Area& window, const JobReport& job, Requests& requests);
+
 /// Shows the messages so far, the newest first. Returns whether the person closed the card.
 bool show_log_card(Widgets& widgets, const Area& crowd, const Messages& messages);
 

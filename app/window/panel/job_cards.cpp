@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "app/window/panel/cards.h"
@@ -52,6 +53,17 @@ float show_jobs(Widgets& widgets, const Area& crowd, const std::vector<JobReport
     at.y += size.y + theme.px(job_card::gap);
   }
   return jobs.empty() ? crowd.from.y : at.y - theme.px(job_card::edge);
+}
+
+void show_start_card(Widgets& widgets, const Area& window, const JobReport& job, Requests& requests) {
+  const Theme& theme = widgets.theme();
+  const ImVec2 size(std::min(theme.px(job_card::width), window.width()), theme.px(job_card::height));
+  const ImVec2 at(std::floor((window.width() - size.x) / 2), std::floor((window.height() - size.y) / 2));
+  show_job(widgets, {.from = at, .to = {at.x + size.x, at.y + size.y}}, job, requests);  // what comes later lies below
+  begin_fixed_window("Start", window, 0, ImGuiWindowFlags_NoBackground);
+  ImGui::GetWindowDrawList()->AddRectFilled(window.from, window.to, colour::panel | IM_COL32_A_MASK);
+  draw_text(theme.large, {window.width() / 2, at.y - theme.px(40)}, colour::text, "Throng", 0.5F);
+  ImGui::End();
 }
 
 }  // namespace throng::app

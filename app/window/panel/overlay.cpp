@@ -11,6 +11,7 @@
 
 #include <imgui.h>
 
+#include "app/files/data_folder.h"
 #include "app/show/request/crowd_file.h"
 #include "app/show/request/openable_files.h"
 #include "app/window/panel/cards.h"
@@ -61,6 +62,11 @@ Context make_context() {
 }
 
 }  // namespace
+
+std::filesystem::path fonts_folder(const std::string& data) {
+  const auto fonts = find_data(data_folders(data), "assets/fonts");
+  return fonts ? *fonts : std::filesystem::path();
+}
 
 float column_share(int width, float scale) {
   const auto all = static_cast<float>(width);
@@ -192,6 +198,14 @@ Requests Overlay::build(const FrameReport& report, const Tuning& before) {
   state.map.focus = state.widgets.focus().name();
   state.map.typing = ImGui::GetIO().WantTextInput;
   return requests;
+}
+
+bool Overlay::build_start(const JobReport& job) {
+  state_->map.widgets.clear();
+  Requests requests;
+  show_start_card(state_->widgets, {.from = {0, 0}, .to = ImGui::GetIO().DisplaySize}, job, requests);
+  ImGui::Render();
+  return last_of<CancelJob>(requests) != nullptr || state_->input.was_pressed(Key::escape);
 }
 
 void Overlay::State::take_keys_of_panel(const FrameReport& report) {

@@ -15,6 +15,9 @@ struct ImDrawData;
 
 namespace throng::app {
 
+/// Returns the folder of the fonts that an overlay reads; empty where there is none. `data` is what --data says.
+std::filesystem::path fonts_folder(const std::string& data);
+
 /// Returns the share of a picture's width that the panel's column takes at its right.
 float column_share(int width, float scale);
 
@@ -51,6 +54,9 @@ class Overlay {
   /// Lays the overlay out and ends the frame. Returns the person's requests, in order; if values differ from
   /// `tuning`, they come last. Call it once after each begin_frame.
   Requests build(const FrameReport& report, const Tuning& tuning);
+
+  /// Lays out, in place of build(), how far the start of a program is. Returns whether the person gives it up.
+  bool build_start(const JobReport& job);
 
   /// Returns the triangles of the last build, which are valid until the next begin_frame.
   ImDrawData* draw_data() const;

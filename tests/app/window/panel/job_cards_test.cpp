@@ -37,5 +37,18 @@ TEST_F(JobCards, LieOverNoOtherNotice) {
   EXPECT_GE(message->y, card->y + card->height);
 }
 
+TEST(StartCard, TellsHowFarTheStartIsAndGivesItUp) {
+  OverlayDriver driver;
+  const auto frame = [&driver] {
+    driver.overlay.begin_frame(OverlayDriver::width, OverlayDriver::height, 0.04, driver.input.next_frame());
+    return driver.overlay.build_start({.job = SideJob::loading, .words = "reading characters", .share = 0.2});
+  };
+  EXPECT_FALSE(frame());
+  EXPECT_TRUE(driver.sees("job:loading"));
+  EXPECT_FALSE(driver.sees("tab:Crowd")) << "there is no crowd yet";
+  driver.hold(Key::escape);
+  EXPECT_TRUE(frame());
+}
+
 }  // namespace
 }  // namespace throng::app::job_cards_test

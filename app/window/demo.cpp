@@ -1,5 +1,6 @@
 #include "app/window/demo.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -70,6 +71,13 @@ Status draw_one_of_all(Show& show, Output* output, int frame) {
   return output != nullptr ? output->take(show, frame) : show.draw();
 }
 
+/// Lets the crowd go on before the first frame.
+void go_on_unseen(Show& show, const DemoOptions& options) {
+  const Ticks step = to_ticks(options.dt.value_or(usual_frame_seconds));
+  const Ticks end = to_ticks(options.unseen_seconds.value_or(0.0));
+  for (Ticks now{}; now < end && asked_to_stop() == 0; now += step) show.animate(std::min(step, end - now));
+}
+
 Status run_replay(Show& show, const DemoOptions& options, Replay& replay, Output* output, Progress& progress) {
   const DrawWhich which = show.painter().draws() ? drawn_frames(options) : DrawWhich::none;
   for (int frame = 1; asked_to_stop() == 0 && (!options.frames_given || frame <= options.frames); ++frame) {
@@ -118,6 +126,7 @@ struct Account {
 
 Status run_headless(Show& show, const DemoOptions& options, Replay* replay, Account& account) {
   if (options.ui) show.view().free.right = 1.0F - column_share(options.width, options.ui_scale);
+  go_on_unseen(show, options);
   const bool has_overlay = (options.ui || options.legend) && show.painter().draws();
   DrawnOverlay overlay(options);
   std::unique_ptr<Output> output;
@@ -127,7 +136,7 @@ Status run_headless(Show& show, const DemoOptions& options, Replay* replay, Acco
     output = std::move(*begun);
     if (has_overlay) output->draw_over_pictures([&overlay](Show& drawn) { return overlay.draw(drawn); });
   }
-  Progress progress(frames_of_run(options, show));
+  Progress progress(frames_of_run(options, show), options.says_progress);
   Status run = replay != nullptr ? run_replay(show, options, *replay, output.get(), progress)
                                  : run_frames(show, options, output.get(), progress);
   if (!run) return run;

@@ -13,7 +13,6 @@
 #include "app/files/progress_line.h"
 #include "app/output/output.h"
 #include "app/output/progress.h"
-#include "app/output/regression/origin.h"
 #include "app/settings/user_settings.h"
 #include "app/show/opened_show.h"
 #include "app/show/painter.h"
@@ -23,6 +22,7 @@
 #include "app/show/stage/stage.h"
 #include "app/window/drawn_overlay.h"
 #include "app/window/panel/overlay.h"
+#include "app/window/still_picture.h"
 #include "app/window/stop_signals.h"
 #include "app/window/window_loop.h"
 #include "engine/base/files/output_file.h"
@@ -32,13 +32,6 @@
 
 namespace throng::app {
 namespace {
-
-Status write_screenshot(Show& show, const std::string& file) {
-  render::Renderer& renderer = show.painter().renderer();
-  const render::Image& image = renderer.read_image();
-  if (Status read = renderer.finish(); !read) return read;
-  return render::write_png(image, file, origin_texts(show.painter().drawn_by()));
-}
 
 /// Tells why something failed, if it did. Returns whether it did not.
 bool report(const Status& outcome) {
@@ -50,7 +43,7 @@ bool report(const Status& outcome) {
 /// could.
 bool write_results(Show& show, const DemoOptions& options) {
   bool all = true;
-  if (!options.screenshot.empty()) all &= report(write_screenshot(show, options.screenshot));
+  if (!options.screenshot.empty()) all &= report(write_picture(show, options.screenshot));
   if (!options.stats.empty()) {
     all &= report(show.figures().statistics().write(options.stats, show.stage(), show.painter().drawn_by()));
   }

@@ -59,6 +59,7 @@ class WindowLoop {
       run_frame();
       if (frame == 1) announce();
     }
+    requests_.end_jobs();
     if (!replay_) session_.keep_settings(picture_.window_size());
     return failed_ && replay_ ? replay_->outcome() : failed_;
   }
@@ -154,11 +155,19 @@ class WindowLoop {
                             Message::Kind::refused);
   }
 
+  void refuse_video() {
+    session_.messages().say(
+        "A replay is made into a video without a window: throng --headless --replay FILE --video FILE.mp4",
+        Message::Kind::refused);
+  }
+
   // Recorded requests happen, and no others.
   void repeat(const Requests& requests, double seconds) {
     for (const Request& request : requests) {
       if (const auto* const asked = std::get_if<ReplayRequest>(&request)) replay_->take(*asked);
       if (const auto* const drop = as<OpenFiles>(request)) refuse_drop(drop->files.front());
+      if (const auto* const output = as<SetOutput>(request)) session_.reporter.report().output = output->choices;
+      if (as<MakeVideo>(request) != nullptr) refuse_video();
     }
     replay_->advance(session_.show, seconds);
     session_.reporter.report().replay = replay_->report();

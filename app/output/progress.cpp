@@ -1,6 +1,7 @@
 #include "app/output/progress.h"
 
 #include <cmath>
+#include <cstdio>
 
 #include "engine/base/text/joined.h"
 
@@ -27,6 +28,11 @@ std::string progress_text(int frame, int frames, double seconds) {
 
 void Progress::show(int frame) {
   frame_ = frame;
+  constexpr double pause = 0.1;
+  if (says_lines_ && (frame == 1 || frame == frames_ || seconds() > said_at_ + pause)) {
+    said_at_ = seconds();
+    std::fprintf(stderr, "%s\n", progress_text(frame, frames_, said_at_).c_str());
+  }
   if (!bar_.is_there()) return;
   bar_.show(frames_ > 0 ? static_cast<double>(frame) / frames_ : -1, progress_text(frame, frames_, seconds()));
 }

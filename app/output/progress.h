@@ -8,12 +8,12 @@
 namespace throng::app {
 
 /// Counts the frames of a run without a window. On a terminal it shows how far the run is and how long it goes on, once
-/// that takes longer than `not_long`. Elsewhere it shows nothing.
+/// that takes longer than `not_long`. For another program it says that in lines. Elsewhere it shows nothing.
 class Progress {
  public:
   /// `frames` is the length of the run; 0 where it is not known.
-  explicit Progress(int frames, std::chrono::milliseconds not_long = std::chrono::seconds(2))
-      : frames_(frames), bar_(not_long) {}
+  explicit Progress(int frames, bool says_lines = false, std::chrono::milliseconds not_long = std::chrono::seconds(2))
+      : frames_(frames), says_lines_(says_lines), bar_(not_long) {}
 
   void show(int frame);
   /// Clears the line, for other output.
@@ -24,6 +24,8 @@ class Progress {
 
  private:
   int frames_, frame_ = 0;
+  bool says_lines_;
+  double said_at_ = -1.0;  // seconds
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   ProgressBar bar_;
 };

@@ -240,6 +240,8 @@ struct DemoOptions {
   std::string record, replay;                          ///< files; empty: not asked for
   std::string preset;                                  ///< the file of the preset that was read; empty: none
   OutputOptions output;                                ///< video, pictures and labels of all frames
+  std::optional<double> unseen_seconds;                ///< that the crowd goes on before a headless run's first frame
+  bool says_progress = false;                          ///< on standard error, in lines for another program
   bool remove_parts = false;                           ///< remove remains of killed runs beside the files to write
   std::string screenshot, stats, trace, ui_map, data;  ///< empty: not asked for; stats may be `-`, standard output
 };

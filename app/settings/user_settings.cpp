@@ -32,6 +32,11 @@ void read_quality(const JsonObject& object, UserSettings& settings) {
   if (wrong) object.complain("\"quality\" " + *wrong);
 }
 
+void read_output(const JsonObject& object, OutputChoices& output) {
+  object.whole("picture_times", output.picture_times, 1, most_picture_times);
+  object.number("video_seconds", output.video_seconds, least_video_seconds, most_video_seconds);
+}
+
 bool is_given(const DemoOptions& options, const char* option) {
   return std::ranges::find(options.given, option) != options.given.end();
 }
@@ -51,11 +56,13 @@ Result<UserSettings> read_user_settings(const fs::path& path) {
   const auto json = file.read();
   if (!json) return json.error();
   std::optional<std::string> complaint;
-  const JsonObject object("", *json, {"version", "quality", "size", "recent_files"}, complaint);
+  const JsonObject object("", *json, {"version", "quality", "size", "recent_files", "picture_times", "video_seconds"},
+                          complaint);
   object.version(settings_version);
   read_size(object, settings);
   read_quality(object, settings);
   object.texts("recent_files", settings.recent_files);
+  read_output(object, settings.output);
   if (complaint) return file.wrong(*complaint);
   return settings;
 }
@@ -65,6 +72,9 @@ Status write_user_settings(const fs::path& file, const UserSettings& settings) {
   if (!settings.quality.empty()) json["quality"] = settings.quality;
   if (settings.width > 0) json["size"] = std::to_string(settings.width) + "x" + std::to_string(settings.height);
   if (!settings.recent_files.empty()) json["recent_files"] = settings.recent_files;
+  const OutputChoices usual;
+  if (settings.output.picture_times != usual.picture_times) json["picture_times"] = settings.output.picture_times;
+  if (settings.output.video_seconds != usual.video_seconds) json["video_seconds"] = settings.output.video_seconds;
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
   return write_whole_file(file, json.dump(2) + "\n");

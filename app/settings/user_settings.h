@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/settings/output_choices.h"
 #include "app/settings/settings.h"
 #include "engine/base/result.h"
 
@@ -14,6 +15,7 @@ struct UserSettings {
   std::string quality;                    ///< as `--quality` takes it; empty: what the device decides
   int width = 0, height = 0;              ///< of the window, pixels; 0: as usual
   std::vector<std::string> recent_files;  ///< whole paths, the newest first
+  OutputChoices output = {};
 
   friend bool operator==(const UserSettings&, const UserSettings&) = default;
 };

@@ -118,13 +118,14 @@ Status Painter::open_renderer(const DemoOptions& options) {
   if (!data) return data.error();
   const bool modest = is_on_software() && draws_live(options);
   device_choices_ = choices_of_device(options, is_on_software());
-  auto renderer = render::Renderer::create(
-      *context_, {.data = data->parent_path(),
-                  .size = {options.width, options.height},
-                  .samples = options.msaa >= 0 ? options.msaa : (device_choices_.no_multisampling ? 0 : 4),
-                  .longest_tile = options.longest_tile,
-                  .lights_at_vertices = modest,
-                  .lens = lens_of(options)});
+  if (options.msaa >= 0) samples_of_still_ = options.msaa;
+  auto renderer =
+      render::Renderer::create(*context_, {.data = data->parent_path(),
+                                           .size = {options.width, options.height},
+                                           .samples = device_choices_.no_multisampling ? 0 : samples_of_still_,
+                                           .longest_tile = options.longest_tile,
+                                           .lights_at_vertices = modest,
+                                           .lens = lens_of(options)});
   if (!renderer) return Error{renderer.error().message};
   renderer_ = std::move(*renderer);
   return load_scenery(options.data);

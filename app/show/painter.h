@@ -44,6 +44,9 @@ class Painter {
   render::Renderer& renderer() { return *renderer_; }
   render::gl::Context& context() { return *context_; }
 
+  /// Draws stills of that size from now on, as well as a headless run does (render::Renderer::set_still).
+  Status set_still(glm::ivec2 size) { return renderer_->set_still(size, samples_of_still_); }
+
   render::PalettePageSource& palette_pages();
   /// Takes back every palette page when the stage that had the pages goes.
   void reset_palette_pages();
@@ -97,6 +100,7 @@ class Painter {
   Scenery scenery_;
   ThresholdsInView thresholds_;
   DeviceChoices device_choices_;
+  int samples_of_still_ = 4;
   std::vector<std::weak_ptr<const anim::Character>> loaded_;  // [mesh] the character that it shows
   std::uint64_t looks_number_ = 0;                            // number of the looks whose mesh LODs the stage knows
   float distance_scale_ = 1.0F;                               // of the characters whose meshes are loaded

@@ -1,5 +1,6 @@
 #include "app/window/demo.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -12,7 +13,6 @@
 #include "app/files/progress_line.h"
 #include "app/output/output.h"
 #include "app/output/progress.h"
-#include "app/output/regression/origin.h"
 #include "app/settings/user_settings.h"
 #include "app/show/opened_show.h"
 #include "app/show/painter.h"
@@ -23,6 +23,7 @@
 #include "app/window/drawn_overlay.h"
 #include "app/window/panel/overlay.h"
 #include "app/window/start_screen.h"
+#include "app/window/still_picture.h"
 #include "app/window/stop_signals.h"
 #include "app/window/window_loop.h"
 #include "engine/base/files/output_file.h"
@@ -32,13 +33,6 @@
 
 namespace throng::app {
 namespace {
-
-Status write_screenshot(Show& show, const std::string& file) {
-  render::Renderer& renderer = show.painter().renderer();
-  const render::Image& image = renderer.read_image();
-  if (Status read = renderer.finish(); !read) return read;
-  return render::write_png(image, file, origin_texts(show.painter().drawn_by()));
-}
 
 /// Tells why something failed, if it did. Returns whether it did not.
 bool report(const Status& outcome) {
@@ -50,7 +44,7 @@ bool report(const Status& outcome) {
 /// could.
 bool write_results(Show& show, const DemoOptions& options) {
   bool all = true;
-  if (!options.screenshot.empty()) all &= report(write_screenshot(show, options.screenshot));
+  if (!options.screenshot.empty()) all &= report(write_picture(show, options.screenshot));
   if (!options.stats.empty()) {
     all &= report(show.figures().statistics().write(options.stats, show.stage(), show.painter().drawn_by()));
   }
@@ -69,6 +63,13 @@ void report_once(const Status& outcome, bool& reported) {
 /// Draws one of several frames that are all drawn, or lets the output do it.
 Status draw_one_of_all(Show& show, Output* output, int frame) {
   return output != nullptr ? output->take(show, frame) : show.draw();
+}
+
+/// Lets the crowd go on before the first frame.
+void go_on_unseen(Show& show, const DemoOptions& options) {
+  const Ticks step = to_ticks(options.dt.value_or(usual_frame_seconds));
+  const Ticks end = to_ticks(options.unseen_seconds.value_or(0.0));
+  for (Ticks now{}; now < end && asked_to_stop() == 0; now += step) show.animate(std::min(step, end - now));
 }
 
 Status run_replay(Show& show, const DemoOptions& options, Replay& replay, Output* output, Progress& progress) {
@@ -119,6 +120,7 @@ struct Account {
 
 Status run_headless(Show& show, const DemoOptions& options, Replay* replay, Account& account) {
   if (options.ui) show.view().free.right = 1.0F - column_share(options.width, options.ui_scale);
+  go_on_unseen(show, options);
   const bool has_overlay = (options.ui || options.legend) && show.painter().draws();
   DrawnOverlay overlay(options);
   std::unique_ptr<Output> output;
@@ -128,7 +130,7 @@ Status run_headless(Show& show, const DemoOptions& options, Replay* replay, Acco
     output = std::move(*begun);
     if (has_overlay) output->draw_over_pictures([&overlay](Show& drawn) { return overlay.draw(drawn); });
   }
-  Progress progress(frames_of_run(options, show));
+  Progress progress(frames_of_run(options, show), options.says_progress);
   Status run = replay != nullptr ? run_replay(show, options, *replay, output.get(), progress)
                                  : run_frames(show, options, output.get(), progress);
   if (!run) return run;

@@ -55,12 +55,25 @@ void FrameRateKeeper::add_frame(double milliseconds, const Tuning& asked) {
 
 Tuning FrameRateKeeper::kept(Tuning asked) const {
   if (!asked.holds_rate) return asked;
-  PictureCost cost = picture_costs[cost_];
+  set_cost(asked, by_hand_or(picture_costs[cost_], asked));
+  return asked;
+}
+
+PictureCost FrameRateKeeper::by_hand_or(PictureCost cost, const Tuning& asked) const {
   if (by_hand_.picture_size) cost.picture_size = asked.picture_size;
   if (by_hand_.triangle_budget) cost.triangle_budget = asked.triangle_budget;
   if (by_hand_.shadows) cost.shadows = asked.shadows;
   if (by_hand_.crowd_shade) cost.crowd_shade = asked.crowd_shade;
+  return cost;
+}
+
+Tuning FrameRateKeeper::at_best(Tuning asked) const {
+  const PictureCost best = picture_costs.front();
+  PictureCost cost = quality_of(asked).empty() ? cost_of(asked) : best;
+  if (asked.holds_rate) cost = by_hand_or(cost, asked);
+  cost.picture_size = best.picture_size;
   set_cost(asked, cost);
+  asked.holds_rate = false;
   return asked;
 }
 

@@ -27,6 +27,9 @@ class FrameRateKeeper {
 
   /// Returns the tuning that is asked for, at the cost that holds the rate.
   Tuning kept(Tuning asked) const;
+  /// Returns the tuning that is asked for, at the cost of the best picture. What a person set by hand stays, but for
+  /// the size: a picture whose values have no name of a quality was set by hand.
+  Tuning at_best(Tuning asked) const;
   /// Takes a change that a person made to what kept() returned, and returns what is asked for then. A cost that the
   /// person changed is set by hand from now on, until the person asks for the rate anew.
   Tuning changed(Tuning by_person, const Tuning& asked);
@@ -39,6 +42,7 @@ class FrameRateKeeper {
 
  private:
   void go_to(std::size_t cost);
+  PictureCost by_hand_or(PictureCost cost, const Tuning& asked) const;
   bool knows_times() const;
   double times(const Tuning& asked) const;
 

@@ -58,6 +58,7 @@ class WindowLoop {
       run_frame();
       if (frame == 1) announce();
     }
+    requests_.end_jobs();
     if (!replay_) session_.keep_settings(picture_.window_size());
     return failed_ && replay_ ? replay_->outcome() : failed_;
   }
@@ -103,8 +104,6 @@ class WindowLoop {
     reporter.messages().pass(seconds);
     reporter.report().can_undo_bones = session_.editor.can_undo_bones();
     reporter.report().given_up = session_.rate.given_up(session_.editor.tuning());
-    reporter.report().jobs.clear();
-    if (const auto job = session_.loading.report()) reporter.report().jobs.push_back(*job);
     reporter.report().rate_advice = session_.rate.advice(session_.editor.tuning());
     Requests requests = overlay_.build(reporter.report(), session_.shown_values());
     if (session_.input.takes_close()) requests.ask(Quit{});
@@ -150,11 +149,19 @@ class WindowLoop {
                             Message::Kind::refused);
   }
 
+  void refuse_video() {
+    session_.messages().say(
+        "A replay is made into a video without a window: throng --headless --replay FILE --video FILE.mp4",
+        Message::Kind::refused);
+  }
+
   // Recorded requests happen, and no others.
   void repeat(const Requests& requests, double seconds) {
     for (const Request& request : requests) {
       if (const auto* const asked = std::get_if<ReplayRequest>(&request)) replay_->take(*asked);
       if (const auto* const drop = as<OpenFiles>(request)) refuse_drop(drop->files.front());
+      if (const auto* const output = as<SetOutput>(request)) session_.reporter.report().output = output->choices;
+      if (as<MakeVideo>(request) != nullptr) refuse_video();
     }
     replay_->advance(session_.show, seconds);
     session_.reporter.report().replay = replay_->report();

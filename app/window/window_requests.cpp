@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "app/files/whole_path.h"
-#include "app/output/regression/origin.h"
 #include "app/show/painter.h"
 #include "app/show/recording/recorder.h"
 #include "app/show/request/crowd_command.h"
@@ -14,6 +13,7 @@
 #include "app/show/show_view.h"
 #include "app/show/stage/stage.h"
 #include "app/show/viewer/viewer.h"
+#include "app/window/still_picture.h"
 #include "app/window/viewer_requests.h"
 #include "app/window/wardrobe_requests.h"
 #include "engine/base/files/output_file.h"
@@ -44,6 +44,7 @@ void WindowRequests::take(const Requests& requests) {
   const bool changes_places = overlay_.tuning_pair().shows_b() != shows_b_;
   shows_b_ = overlay_.tuning_pair().shows_b();
   session_.loading.finish();
+  video_.go_on(session_);
   for (const Request& request : requests) {
     const auto* const values = as<Apply>(request);
     if (values != nullptr && changes_places) {
@@ -57,8 +58,17 @@ void WindowRequests::take(const Requests& requests) {
     }
   }
   go_on_leaving();
+  report_jobs();
   if (session_.show.viewer() != nullptr) session_.sweep.stop();  // a crowd that waits costs nothing
   if (!overlay_.is_in_a_change()) session_.editor.end_change();
+}
+
+void WindowRequests::report_jobs() {
+  std::vector<JobReport>& jobs = session_.reporter.report().jobs;
+  jobs.clear();
+  for (const auto& job : {session_.loading.report(), video_.report()}) {
+    if (job) jobs.push_back(*job);
+  }
 }
 
 void WindowRequests::take_at_once(const Request& request) {
@@ -83,6 +93,8 @@ void WindowRequests::carry_out(const KeepWorking& /*asked*/) {
 }
 
 void WindowRequests::take_after_drawing(const Requests& requests) {
+  if (!still_.empty()) draw_still();
+  if (last_of<TakeStill>(requests) != nullptr) announce_still();
   if (last_of<TakeScreenshot>(requests) != nullptr) take_screenshot();
 }
 
@@ -148,6 +160,7 @@ void WindowRequests::carry_out(const Redo& /*asked*/) {
 
 void WindowRequests::carry_out(const CancelJob& asked) {
   if (asked.job == SideJob::loading) session_.loading.cancel();
+  if (asked.job == SideJob::video) video_.cancel();
 }
 
 void WindowRequests::carry_out(const ToggleRecording& /*asked*/) {
@@ -189,9 +202,27 @@ void WindowRequests::carry_out(const StartSweep& asked) {
 
 void WindowRequests::take_screenshot() {
   const std::string file = unused_file(".png", screenshots_);
-  Painter& painter = session_.show.painter();
-  messages().report(render::write_png(painter.renderer().read_image(), file, origin_texts(painter.drawn_by())),
-                    "Wrote " + whole_path(file));
+  messages().report(write_picture(session_.show, file), "Wrote " + whole_path(file));
 }
+
+// It is drawn behind the next frame, in which the person reads that it takes its time.
+void WindowRequests::announce_still() {
+  still_ = unused_file(".png", screenshots_);
+  messages().say("Drawing " + still_ + " in full quality");
+}
+
+void WindowRequests::draw_still() {
+  const FrameReport& report = session_.reporter.report();
+  const glm::ivec2 size = size_of_still(session_.show, report.output.picture_times);
+  const std::string file = std::exchange(still_, {});
+  messages().report(write_still(session_.show, file, size, session_.best_values(), report.replay.has_value()),
+                    "Wrote " + whole_path(file) + ", " + std::to_string(size.x) + "x" + std::to_string(size.y));
+}
+
+void WindowRequests::carry_out(const MakeVideo& /*asked*/) {
+  video_.begin(session_, files_.described_here(), unused_file(".mp4", videos_));
+}
+
+void WindowRequests::carry_out(const SetOutput& asked) { session_.reporter.report().output = asked.choices; }
 
 }  // namespace throng::app

@@ -8,6 +8,7 @@
 #include "app/window/dropped_tracks.h"
 #include "app/window/file_requests.h"
 #include "app/window/panel/overlay.h"
+#include "app/window/video_job.h"
 #include "app/window/window_session.h"
 
 namespace throng::app {
@@ -23,6 +24,8 @@ class WindowRequests {
   bool closes() const { return closes_; }
   /// Carries out requests for the picture, once it is drawn.
   void take_after_drawing(const Requests& requests);
+  /// Ends what goes on beside the window.
+  void end_jobs() { video_.end(); }
   /// Takes the parts of a crowd file that only a window keeps.
   void take_kept(const CrowdSetup& setup) { files_.take_kept(setup); }
 
@@ -55,21 +58,29 @@ class WindowRequests {
   void carry_out(const LeaveUnsaved& asked);
   void carry_out(const KeepWorking& asked);
   void carry_out(const CancelJob& asked);
+  void carry_out(const MakeVideo& asked);
+  void carry_out(const SetOutput& asked);
   void take_at_once(const Request& request);
   void open_models(const std::vector<std::string>& files);
   bool make(const CrowdRequest& request);
   void go_on_leaving();
+  void report_jobs();
   void copy(const std::string& options);
   void take_screenshot();
+  void announce_still();
+  void draw_still();
   Messages& messages() { return session_.messages(); }
 
   WindowSession& session_;
   Overlay& overlay_;
   FileRequests files_;
+  VideoJob video_;
   std::optional<Request> leaving_;  // waits for the person's answer about unsaved work
   bool closes_ = false;
   bool shows_b_ = false;  // of two tunings
+  std::string still_;     // the file of the still that is drawn next; empty: none
   int screenshots_ = 0;
+  int videos_ = 0;
   int recordings_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include "app/files/exit_status.h"
 #include "app/people/crowd/crowd.h"
 #include "app/settings/user_settings.h"
+#include "app/show/lod/tuned_view.h"
 #include "app/show/painter.h"
 #include "app/show/show.h"
 #include "app/show/show_view.h"
@@ -40,8 +41,20 @@ WindowSession::WindowSession(Show& show_in_window, const DemoOptions& given)
       rate(set_by_hand(given), show.painter().is_on_software()),
       first_quality(quality_of(editor.tuning())) {
   if (options.no_settings) return;
-  if (const auto settings = read_user_settings(user_settings_file()))
-    reporter.report().recent_files = settings->recent_files;
+  const auto settings = read_user_settings(user_settings_file());
+  if (!settings) return;
+  reporter.report().recent_files = settings->recent_files;
+  reporter.report().output = settings->output;
+}
+
+Tuning WindowSession::best_values() const {
+  Tuning best = rate.at_best(editor.tuning());
+  const DeviceChoices& device = show.painter().device_choices();
+  if (device.error_px == 0.0F) return best;
+  const Tuning usual;
+  if (best.error_px == device.error_px) best.error_px = usual.error_px;
+  if (best.mesh_error_px == device.error_px * mesh_share_of_error) best.mesh_error_px = usual.mesh_error_px;
+  return best;
 }
 
 void WindowSession::show_wanted_values(bool exact_crowd) {
@@ -69,6 +82,7 @@ void WindowSession::keep_settings(glm::ivec2 window_size) const {
     settings.height = window_size.y;
   }
   settings.recent_files = reporter.report().recent_files;
+  settings.output = reporter.report().output;
   if (settings == before) return;
   if (const Status kept = write_user_settings(file, settings); !kept) end_with(exit_done, kept.error().message);
 }

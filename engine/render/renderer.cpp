@@ -18,13 +18,12 @@ std::uint64_t bytes_a_pixel(int samples) {
   return bytes_a_sample * static_cast<std::uint64_t>(std::max(samples, 1)) + bytes_of_sides + bytes_of_finished;
 }
 
-Result<TiledTarget> create_target(const gl::Context& context, const RendererOptions& options) {
+Result<TiledTarget> create_target(const gl::Context& context, const RendererOptions& options, bool whole) {
   const gl::DeviceLimits& device = context.limits();
   if (options.samples > device.samples) {
     return Error{"the graphics device takes at most " + std::to_string(device.samples) + " samples a pixel, not " +
                  std::to_string(options.samples)};
   }
-  const bool whole = context.window() != nullptr;
   const TileLimits limits{.longest = whole ? device.target : glm::min(device.target, glm::ivec2(options.longest_tile)),
                           .memory = free_memory(),
                           .bytes_a_pixel = context.is_software() ? bytes_a_pixel(options.samples) : 0,
@@ -36,7 +35,7 @@ Result<TiledTarget> create_target(const gl::Context& context, const RendererOpti
 }  // namespace
 
 Result<std::unique_ptr<Renderer>> Renderer::create(gl::Context& context, const RendererOptions& options) {
-  Result<TiledTarget> target = create_target(context, options);
+  Result<TiledTarget> target = create_target(context, options, context.window() != nullptr);
   if (!target) return target.error();
   auto parts = std::make_unique<Parts>(context, options, std::move(*target));
   if (const Status& built = parts->shaders.status(); !built) return built.error();
@@ -140,14 +139,15 @@ const Image& Renderer::read_image() {
 }
 Status Renderer::finish() { return parts_->finish(); }
 
-Status Renderer::set_size(glm::ivec2 size, glm::ivec2 drawn_size) {
-  if (size == parts_->size() && drawn_size == parts_->target.size()) return Done{};
+Status Renderer::set_size(glm::ivec2 size, std::optional<glm::ivec2> drawn_size) {
+  const glm::ivec2 drawn = drawn_size.value_or(size);
+  if (!parts_->draws_stills && size == parts_->size() && drawn == parts_->target.size()) return Done{};
   RendererOptions changed = parts_->options;
-  changed.size = drawn_size;
-  Result<TiledTarget> target = create_target(context(), changed);
+  changed.size = drawn;
+  Result<TiledTarget> target = create_target(context(), changed, context().window() != nullptr);
   if (!target) return target.error();
   std::optional<ImageTarget> stretched;
-  if (drawn_size != size) {
+  if (drawn != size) {
     Result<ImageTarget> made = ImageTarget::create(size, 0);
     if (!made) return made.error();
     stretched = std::move(*made);
@@ -155,6 +155,20 @@ Status Renderer::set_size(glm::ivec2 size, glm::ivec2 drawn_size) {
   parts_->target = std::move(*target);
   parts_->stretched = std::move(stretched);
   parts_->options = changed;
+  parts_->draws_stills = false;
+  return Done{};
+}
+
+Status Renderer::set_still(glm::ivec2 size, int samples) {
+  RendererOptions still = parts_->options;
+  still.size = size;
+  still.samples = samples;
+  Result<TiledTarget> target = create_target(context(), still, false);
+  if (!target) return target.error();
+  parts_->target = std::move(*target);
+  parts_->stretched.reset();
+  parts_->part.reset();
+  parts_->draws_stills = true;
   return Done{};
 }
 

@@ -199,7 +199,8 @@ DrawCounts Renderer::Parts::draw_scene(const CrowdFrame& frame) {
 DrawCounts Renderer::Parts::draw_scenery(const CrowdFrame& frame, glm::ivec2 pixels) {
   const PixelRect seen = seen_part(pixels);
   const float height = static_cast<float>(seen.size.y) / frame.scenery_error_px;
-  const bool at_vertices = options.lights_at_vertices && (light_parts & (shadow_part | lamp_part)) == 0;
+  const bool at_vertices =
+      options.lights_at_vertices && !draws_stills && (light_parts & (shadow_part | lamp_part)) == 0;
   return scenery.draw(part_of(frame.camera, pixels, seen), height,
                       light_parts | (at_vertices ? scenery_lit_at_vertices : 0U));
 }

@@ -91,6 +91,7 @@ struct Renderer::Parts {
   std::vector<CrowdMesh> meshes;
   std::uint32_t light_parts = 0;  // of the picture that is drawn
   bool splits = false;            // two crowds are drawn into one picture
+  bool draws_stills = false;      // as without a window
   std::optional<DrawnPart> part;  // none: all of the picture is drawn
   std::optional<Error> trouble;   // finish() returns it
 };

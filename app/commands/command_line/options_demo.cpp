@@ -111,6 +111,10 @@ void declare_run(OptionReader& reader, DemoOptions& options) {
                whole_number(options.frames, 1, std::numeric_limits<int>::max()));
   reader.value("--dt", "S", "Seconds a frame (headless: 1/60; a window: the clock)",
                real_number(options.dt, least_frame_seconds, most_frame_seconds));
+  reader.value("--after", "S", "Headless: seconds that the crowd goes on, unseen, before the first frame (0)",
+               real_number(options.unseen_seconds, 0.0, 1e6));
+  reader.flag("--progress", options.says_progress,
+              "Headless: say how far the run is on standard error, in lines for another program");
   reader.value("--replay", "FILE", "Repeat a recording, and name the first frame and agent that differ",
                file_name(options.replay));
 }
@@ -150,9 +154,10 @@ std::optional<std::string> idle_limit(const OptionReader& reader, const Tuning& 
 /// A recording has its own options; the command line must not repeat them.
 std::optional<std::string> contradiction_of_replay(const DemoOptions& options) {
   static const std::set<std::string> free_to_choose{
-      "MODEL",      "--clips-from", "--replay",       "--simd",   "--size",       "--msaa",    "--ui",     "--hide-ui",
-      "--headless", "--software",   "--draw",         "--frames", "--screenshot", "--stats",   "--events", "--trace",
-      "--ui-map",   "--data",       "--remove-parts", "--video",  "--pictures",   "--fps-out", "--legend"};
+      "MODEL",          "--clips-from", "--replay",   "--simd",     "--size",   "--msaa",
+      "--ui",           "--hide-ui",    "--headless", "--software", "--draw",   "--frames",
+      "--screenshot",   "--stats",      "--events",   "--trace",    "--ui-map", "--data",
+      "--remove-parts", "--video",      "--pictures", "--fps-out",  "--legend", "--progress"};
   for (const std::string& name : options.given) {
     const auto schedules = [&](const TuningValue& row) { return row.only_schedules && row.option_name() == name; };
     if (free_to_choose.contains(name) || std::ranges::any_of(tuning_values(), schedules)) continue;
@@ -207,6 +212,9 @@ std::optional<std::string> contradiction_in(const DemoOptions& options) {
   if (!options.screenshot.empty() && options.draw == DrawWhich::none) return "--screenshot: --draw none draws nothing";
   if (window && std::max(options.width, options.height) > most_window_pixels) {
     return "--size: a window has at most " + std::to_string(most_window_pixels) + " pixels a side; use --headless";
+  }
+  if (window && (options.unseen_seconds || options.says_progress)) {
+    return std::string(options.says_progress ? "--progress" : "--after") + ": goes with --headless";
   }
   if (window && options.force_software) return "--software: goes with --headless";
   if (window && options.draw && *options.draw != DrawWhich::all) return "--draw: a window draws all; use --headless";

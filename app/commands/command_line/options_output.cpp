@@ -37,9 +37,9 @@ std::string asked_by(const OutputOptions& output) {
 
 /// Returns whether an option changes a picture; a run can go on with other values of the rest.
 bool changes_a_picture(const std::string& option) {
-  static const std::set<std::string> others{"--video",  "--pictures", "--labels", "--frames",      "--seconds",
-                                            "--stats",  "--events",   "--trace",  "--screenshot",  "--ui-map",
-                                            "--record", "--data",     "--pus",    "--remove-parts"};
+  static const std::set<std::string> others{"--video",  "--pictures", "--labels", "--frames",       "--seconds",
+                                            "--stats",  "--events",   "--trace",  "--screenshot",   "--ui-map",
+                                            "--record", "--data",     "--pus",    "--remove-parts", "--progress"};
   return !others.contains(option);
 }
 

@@ -15,6 +15,7 @@
 #include "app/people/crowd/people_over_time.h"
 #include "app/people/wardrobe/cast_tuning.h"
 #include "app/settings/idle_values.h"
+#include "app/settings/output_choices.h"
 #include "app/settings/settings.h"
 #include "app/show/camera/camera_bookmarks.h"
 #include "app/show/lod/lod_thresholds.h"
@@ -145,6 +146,7 @@ struct FrameReport {
   Messages messages;            ///< the messages that the person was told
   std::vector<JobReport> jobs;  ///< that go on beside the crowd
   RecordingReport recording;
+  OutputChoices output;  ///< for pictures and videos
   int frame = 0;
   float frame_ms = 0, update_ms = 0, draw_ms = 0;
   std::vector<float> frame_ms_history, update_ms_history;  ///< oldest first, up to 240

@@ -18,6 +18,7 @@
 #include "app/show/report/swept_value.h"
 #include "app/show/report/viewer_report.h"
 #include "app/show/request/chosen_character.h"
+#include "app/show/request/output_requests.h"
 #include "engine/anim/survey/placement_guess.h"
 #include "engine/tracks/track_clock.h"
 
@@ -247,7 +248,6 @@ struct SaveBody {};
 struct SaveBones {};
 /// Its level of detail, for another engine.
 struct ExportLod {};
-struct TakeScreenshot {};
 /// Begins or ends a recording.
 struct ToggleRecording {};
 struct CopyCamera {};
@@ -330,11 +330,12 @@ struct SetReplaySpeed {
   float speed = 1;
 };
 
-using WindowRequest = std::variant<SelectAt, OpenFiles, Undo, Redo, Tell, ToggleRecording, CopyCamera, CopyCommandLine,
-                                   ReloadShaders, ShowCharacter, TuneRules, StartSweep, StopSweep, LookAtFrame,
-                                   LookAtLastFrames, FrameCrowd, LeaveUnsaved, KeepWorking, CancelJob>;
+using WindowRequest =
+    std::variant<SelectAt, OpenFiles, Undo, Redo, Tell, ToggleRecording, CopyCamera, CopyCommandLine, ReloadShaders,
+                 ShowCharacter, TuneRules, StartSweep, StopSweep, LookAtFrame, LookAtLastFrames, FrameCrowd,
+                 LeaveUnsaved, KeepWorking, CancelJob, MakeVideo, SetOutput>;
 /// What the loop does with the frame in which it is asked for.
-using FrameRequest = std::variant<StepFrame, ShowExactCrowd, TakeScreenshot, ToggleFullScreen, Quit>;
+using FrameRequest = std::variant<StepFrame, ShowExactCrowd, TakeScreenshot, TakeStill, ToggleFullScreen, Quit>;
 using FileRequest = std::variant<SavePreset, LoadPreset, DeletePreset, LoadIntoOther, SaveCrowd, OpenCrowd, SaveRules,
                                  LoadRules, SaveRoles, SaveBody, SaveBones, ExportLod>;
 using CameraRequest =

@@ -80,6 +80,7 @@ void AnimatedCrowd::populate(const Tuning& tuning, Clocks clocks, std::span<cons
   fallen_->reset(agents);
   system_->set_agent_count(0);
   if (clocks == Clocks::begin_anew) system_->restart();
+  began_at_ = system_->clock();
   cut_scene_.reset();
   system_->add_agents(crowd_->characters());
   played_speeds_.assign(agents, 0.0F);

@@ -87,6 +87,8 @@ class AnimatedCrowd {
   Status go_back_to(const StageMoment& moment);
   /// Returns a number that differs for each crowd that was made, and after bones changed their order.
   std::uint64_t number() const { return number_; }
+  /// Returns the time since this crowd was placed; the clock of the system goes on from crowd to crowd.
+  Ticks age() const { return system_->clock() - began_at_; }
 
   /// Sums up the data keys and places of all agents from now on. This takes about as long as the crowd's own logic.
   void sum_up_events() { event_sums_.emplace().reset(crowd_->size()); }
@@ -138,6 +140,7 @@ class AnimatedCrowd {
   Gathered<SpeedRequest> new_speeds_;    // of this frame
   std::optional<HeldClip> held_clip_;
   std::uint64_t number_ = 0;
+  Ticks began_at_{};
 };
 
 std::vector<CharacterRoles> roles_of(std::span<const CharacterSource> characters);

@@ -44,6 +44,7 @@ void ask_the_crowd(Key key, const OpenThings& open, Tuning& tuning, Requests& re
   if (key == Key::f) requests.ask(FrameCrowd{});
   if (key == Key::c) requests.ask(CopyCamera{});
   if (key == Key::r) requests.ask(ToggleRecording{});
+  if (key == Key::v) requests.ask(MakeVideo{});
   if (key == Key::p && open.selected) requests.ask(Push{*open.selected, open.ahead});
 }
 
@@ -74,8 +75,8 @@ std::string why_nothing_happens(const InputFrame& input, Key key, const OpenThin
 
 // The viewer has few keys, and a person may look for one of the crowd there.
 bool is_for_the_crowd(Key key) {
-  return key == Key::p || key == Key::g || key == Key::b || key == Key::c || key == Key::r || key == Key::x ||
-         key == Key::home || place_of_digit(key) < bookmark_count;
+  return key == Key::p || key == Key::g || key == Key::b || key == Key::c || key == Key::r || key == Key::v ||
+         key == Key::x || key == Key::home || place_of_digit(key) < bookmark_count;
 }
 
 bool types_slash(const InputFrame& input) { return input.characters.find(U'/') != std::u32string::npos; }
@@ -135,7 +136,7 @@ void apply_hotkeys(const InputFrame& input, const OpenThings& open, OverlaySwitc
     if (key == Key::f1) switches.help = !switches.help;
     if (key == Key::l) switches.log = !switches.log;
     if (key == Key::f5) requests.ask(ReloadShaders{});
-    if (key == Key::f12) requests.ask(TakeScreenshot{});
+    if (key == Key::f12) requests.ask(input.down(Key::shift) ? FrameRequest(TakeStill{}) : TakeScreenshot{});
     if (key == Key::escape) close_the_topmost(open, switches, requests);
     if (open.viewer) {
       ask_the_viewer(key, *open.viewer, requests);

@@ -33,8 +33,9 @@ void show_job(Widgets& widgets, const Area& place, const JobReport& job, Request
   draw_share(theme, {from.x, from.y + font_height(theme.regular) + theme.px(10)}, words_width, job.share);
   ImGui::SetCursorScreenPos({place.to.x - theme.px(job_card::padding + job_card::button),
                              place.from.y + (place.height() - theme.px(job_card::button_height)) / 2});
-  if (widgets.named_button("Cancel", "cancel:" + name, {"Ends it. What was there before stays."},
-                           theme.px(job_card::button))) {
+  const char* const what = job.job == SideJob::video ? "Ends it. The frames so far are a whole video."
+                                                     : "Ends it. What was there before stays.";
+  if (widgets.named_button("Cancel", "cancel:" + name, {what}, theme.px(job_card::button))) {
     requests.ask(CancelJob{job.job});
   }
   ImGui::End();

@@ -1,4 +1,6 @@
 // What is drawn in which colours, in which size and how well, in Crowd.
+#include <algorithm>
+
 #include "app/settings/quality.h"
 #include "app/window/panel/tabs.h"
 
@@ -42,6 +44,42 @@ void show_quality(const TabContext& context) {
   if (wide_button(widgets, "Hold the frame rate", {.what = "Sets quality auto."})) tuning.holds_rate = true;
 }
 
+void show_picture_files(const TabContext& context, OutputChoices& choices) {
+  Widgets& widgets = context.widgets;
+  double times = choices.picture_times;
+  widgets.number("Picture times", times, OutputChoices().picture_times,
+                 {.lowest = 1, .highest = most_picture_times, .suffix = " x"},
+                 {.what = "A full picture has so many times the window's width and height.",
+                  .unit = "1 to 4",
+                  .cost = "Twice the size takes four times as long."});
+  choices.picture_times = static_cast<int>(times);
+  ButtonRow buttons(widgets, 2);
+  buttons.ask(context.requests, TakeScreenshot{}, "Screenshot",
+              {.what = "Writes the picture of the window as a PNG, with the panel. Key F12."});
+  buttons.ask(context.requests, TakeStill{}, "Full picture",
+              {.what = "Writes the picture without the panel as a PNG, in the quality of a run without a window: whole "
+                       "size, smooth edges, shadows, no triangle limit but one set by hand. Shift and F12.",
+               .cost = "A frame that takes a second or more."});
+}
+
+void show_video(const TabContext& context, OutputChoices& choices) {
+  const auto& [widgets, report, tuning, standard, requests, memory] = context;
+  widgets.number("Video length", choices.video_seconds, OutputChoices().video_seconds,
+                 {.lowest = least_video_seconds, .highest = most_video_seconds, .logarithmic = true, .suffix = " s"},
+                 {.what = "How long a video from now on is. That of a recorded crowd is as long as its part.",
+                  .unit = "seconds, 1 to 600"});
+  const bool is_made = std::ranges::find(report.jobs, SideJob::video, &JobReport::job) != report.jobs.end();
+  ButtonRow buttons(widgets, 2);
+  buttons.ask(requests, MakeVideo{}, "Make video",
+              {.what = "Makes throng-1.mp4 in full quality while the window goes on, seen by the camera as it is now: "
+                       "the part of a recorded crowd once, or another crowd from now on. There people who walk about "
+                       "may be a step or two from where they are here, as the crowd is made again. Needs ffmpeg. "
+                       "Key V."},
+              is_made ? "A video is being made. Its card has the button that ends it." : nullptr);
+  buttons.ask(requests, CopyCamera{}, "Copy camera",
+              {.what = "Puts the camera as an option into the clipboard. Key C."});
+}
+
 }  // namespace
 
 void show_picture_section(const TabContext& context) {
@@ -69,10 +107,10 @@ void show_picture_section(const TabContext& context) {
                .cost = "Two draws a bone and agent in view."});
   context.row("scenery", {.what = "Draws houses, trees and seats around the crowd. It walks around them in any case.",
                           .cost = "One draw call, and the triangles in view."});
-  ButtonRow buttons(widgets, 2);
-  buttons.ask(requests, CopyCamera{}, "Copy camera",
-              {.what = "Puts the camera as an option into the clipboard. Key C."});
-  buttons.ask(requests, TakeScreenshot{}, "Screenshot", {.what = "Writes the picture as a PNG. Key F12."});
+  OutputChoices choices = report.output;
+  show_picture_files(context, choices);
+  show_video(context, choices);
+  if (choices != report.output) requests.ask(SetOutput{choices});
 }
 
 }  // namespace throng::app

@@ -14,7 +14,7 @@ namespace {
 namespace track {
 constexpr float padding = 14, top = 7, handles = 12, graph = 36, labels = 16, gap = 4, bottom = 8;
 constexpr float height = top + handles + graph + labels + gap + BarControls::height + bottom;
-constexpr float handle = 11, sign = 24, rate = 48, loop = 48, whole = 52, shortest_words = 60;
+constexpr float handle = 11, sign = 24, rate = 48, loop = 48, whole = 52, video = 84, shortest_words = 60;
 }  // namespace track
 
 /// The bar, from top to bottom.
@@ -234,6 +234,16 @@ void show_choices(BarControls& controls, ClockInHand& clock) {
   }
 }
 
+void show_video(BarControls& controls, Requests& requests) {
+  if (controls.right("Tracks.video", track::video)) requests.ask(MakeVideo{});
+  if (ImGui::IsItemHovered()) {
+    show_lines({"Makes a video of the part in full quality while the window goes on,",
+                "seen by the camera as it is now. Needs ffmpeg. Key V."});
+  }
+  controls.fill(false);
+  controls.write("Make video", false);
+}
+
 void write_state(const Theme& theme, const Area& place, const ClockInHand& clock) {
   const float y = place.from.y + (place.height() - font_height(theme.regular)) / 2;
   std::string words = state_words(clock, true);
@@ -266,6 +276,8 @@ void show_track_bar(const TabContext& context, const Area& crowd) {
   BarControls controls(widgets, layout.controls);
   show_players(controls, clock, context.tuning);
   constexpr float choices = track::whole + track::loop + track::rate + 2 * track::sign + 5 * BarControls::gap;
+  constexpr float with_video = choices + track::video + BarControls::gap;
+  if (controls.has_room_for(with_video + track::shortest_words)) show_video(controls, context.requests);
   if (controls.has_room_for(choices + track::shortest_words)) show_choices(controls, clock);
   write_state(theme, controls.rest(), clock);
   ImGui::End();

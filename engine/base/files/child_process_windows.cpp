@@ -24,6 +24,9 @@ PipedProgram::PipedProgram(PipedProgram&&) noexcept = default;
 PipedProgram::~PipedProgram() = default;
 bool PipedProgram::write(std::span<const std::byte>) { return false; }
 int PipedProgram::finish() { return -1; }
+std::optional<int> PipedProgram::look() { return -1; }
+void PipedProgram::ask_to_end() const {}
+void PipedProgram::give_way() const {}
 
 }  // namespace throng
 

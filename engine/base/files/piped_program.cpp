@@ -11,6 +11,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -130,6 +131,22 @@ void PipedProgram::listen() {
     answer_.append(buffer.data(), static_cast<std::size_t>(count));
     if (answer_.size() > most_answer) answer_.erase(0, answer_.size() - most_answer);
   }
+}
+
+std::optional<int> PipedProgram::look() {
+  listen();
+  siginfo_t state{};
+  const int failed = waitid(P_PID, static_cast<id_t>(process_), &state, WEXITED | WNOHANG | WNOWAIT);
+  if (failed == 0 && state.si_pid == 0) return std::nullopt;
+  return finish();
+}
+
+void PipedProgram::ask_to_end() const { kill(process_, SIGTERM); }
+
+void PipedProgram::give_way() const {
+  constexpr int politely = 10;
+  const auto process = static_cast<id_t>(process_);
+  setpriority(PRIO_PROCESS, process, getpriority(PRIO_PROCESS, process) + politely);
 }
 
 int PipedProgram::finish() {

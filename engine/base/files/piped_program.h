@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,6 +26,13 @@ class PipedProgram {
   bool write(std::span<const std::byte> bytes);
   /// Tells the program that there is no more, and waits for its end. Returns its exit status; 128 and more: a signal.
   int finish();
+  /// Takes what it has said so far, and waits for nothing. Returns how it ended, as finish() does; nothing while it
+  /// runs.
+  std::optional<int> look();
+  /// Asks it to end, as Ctrl+C does at a terminal.
+  void ask_to_end() const;
+  /// Lets other programs go before it where they want the same processor.
+  void give_way() const;
   /// Returns the text of its output and its errors, no more than the last megabyte.
   const std::string& answer() const { return answer_; }
 

@@ -1,5 +1,8 @@
 #include "app/output/progress.h"
 
+#include <algorithm>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "tests/app/files/terminal.h"
@@ -23,7 +26,7 @@ TEST(ProgressOfARun, HasTimesForPeople) {
 TEST(ProgressOfARun, HasABarOnATerminalWhileTheRunTakesLong) {
   const Terminal terminal;
   if (!terminal.is_there()) GTEST_SKIP() << "this system gives no terminal";
-  Progress progress(4, std::chrono::milliseconds(0));
+  Progress progress(4, false, std::chrono::milliseconds(0));
   progress.show(1);
   EXPECT_NE(terminal.read_until("frame 1").find("[=====               ] frame 1"), std::string::npos);
   EXPECT_EQ(progress.frame(), 1);
@@ -36,6 +39,18 @@ TEST(ProgressOfARun, SaysNothingWithoutATerminal) {
     for (int frame = 1; frame <= 10; ++frame) progress.show(frame);
   }
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(ProgressOfARun, SaysItInLinesToAnotherProgram) {
+  testing::internal::CaptureStderr();
+  {
+    Progress progress(1000, true);
+    for (int frame = 1; frame <= 1000; ++frame) progress.show(frame);
+  }
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_TRUE(said.starts_with("frame 1 of 1000, ")) << said;
+  EXPECT_NE(said.find("\nframe 1000 of 1000, "), std::string::npos) << said;
+  EXPECT_LT(std::ranges::count(said, '\n'), 900) << "no more than ten a second, beside the first and the last";
 }
 
 }  // namespace

@@ -29,7 +29,11 @@ class UserSettingsFile : public test::TemporaryFolder {
 };
 
 TEST_F(UserSettingsFile, GivesBackWhatWasWrittenAndMakesItsFolder) {
-  const UserSettings settings{.quality = "medium", .width = 800, .height = 600, .recent_files = {"/crowds/a.throng"}};
+  const UserSettings settings{.quality = "medium",
+                              .width = 800,
+                              .height = 600,
+                              .recent_files = {"/crowds/a.throng"},
+                              .output = {.picture_times = 3, .video_seconds = 2.5}};
   const std::filesystem::path file = folder_ / "throng" / "settings.json";
   ASSERT_TRUE(write_user_settings(file, settings));
   EXPECT_EQ(read_user_settings(file).value(), settings);
@@ -45,6 +49,8 @@ TEST_F(UserSettingsFile, ThatIsDamagedIsNamedWithTheRemedy) {
   EXPECT_THAT(complaint(R"({"version": 1, "quality": "best"})"), names_all("\"quality\" must be low"));
   EXPECT_THAT(complaint(R"({"version": 1, "size": "0x600"})"), names_all("\"size\" must be WIDTHxHEIGHT"));
   EXPECT_THAT(complaint(R"({"version": 1, "recent_files": "a"})"), names_all("\"recent_files\" must be an array"));
+  EXPECT_THAT(complaint(R"({"version": 1, "picture_times": 5})"),
+              names_all("\"picture_times\" must be a whole number"));
 }
 
 TEST(TakenUserSettings, StartAWindowWhereTheCommandLineSaysNothing) {

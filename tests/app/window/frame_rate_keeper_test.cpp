@@ -118,5 +118,27 @@ TEST(FrameRateKeeper, AdvisesNothingWhereFramesAreFast) {
   EXPECT_EQ(keeper.advice(Tuning()), "");
 }
 
+TEST(BestPicture, HasAllThatAWindowGaveUpAndWhatThePersonSetByHand) {
+  FrameRateKeeper keeper({.shadows = true});
+  show(keeper, {}, holding(), 5.0);
+  Tuning asked = holding();
+  asked.shadows = false;
+  asked.picture_size = 50;
+  const Tuning best = keeper.at_best(asked);
+  EXPECT_EQ(best.picture_size, 100) << "the size holds the rate, also by hand";
+  EXPECT_EQ(best.triangle_budget, 0);
+  EXPECT_TRUE(best.crowd_shade);
+  EXPECT_FALSE(best.shadows) << "set by hand";
+  EXPECT_FALSE(best.holds_rate);
+}
+
+TEST(BestPicture, OfALowQualityIsThatOfAHighOne) {
+  Tuning low;
+  take_quality("low", low);
+  EXPECT_EQ(cost_of(FrameRateKeeper().at_best(low)), picture_costs.front());
+  low.triangle_budget = 1234;
+  EXPECT_EQ(FrameRateKeeper().at_best(low).triangle_budget, 1234) << "no quality has that, so it was set by hand";
+}
+
 }  // namespace
 }  // namespace throng::app::frame_rate_keeper_test

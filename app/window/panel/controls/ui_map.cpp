@@ -131,6 +131,12 @@ Json viewer_json(const std::optional<ViewerReport>& viewer) {
           {"preview", viewer->preview ? Json(role_names.at(index_of(viewer->preview->role))) : Json(nullptr)}};
 }
 
+Json jobs_json(const std::vector<JobReport>& jobs) {
+  Json all = Json::array();
+  for (const JobReport& job : jobs) all.push_back({{"words", job.words}, {"share", job.share}});
+  return all;
+}
+
 Json report_json(const FrameReport& report) {
   return {{"agents", report.agents},
           {"characters", report.characters},
@@ -158,6 +164,7 @@ Json report_json(const FrameReport& report) {
           {"sweep", sweep_json(report.sweep)},
           {"notice", report.notice},
           {"message", report.messages.all().empty() ? "" : report.messages.all().back().words},
+          {"jobs", jobs_json(report.jobs)},
           {"cameras", cameras_json(report.cameras)},
           {"replay", replay_json(report.replay)},
           {"tracks", tracks_json(report.tracks)},

@@ -74,6 +74,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"TheLastFrameAlone", "--headless --labels l --draw last",
                 "--labels: takes each frame; leave out --draw"},
         Refused{"ARateOfNothing", "--headless --fps-out 30", "--fps-out: goes with --video"},
+        Refused{"AWindowUnseen", "--after 2", "--after: goes with --headless"},
+        Refused{"ProgressOfAWindow", "--progress", "--progress: goes with --headless"},
         Refused{"NoRate", "--headless --video a.mp4 --fps-out 0",
                 "--fps-out 0: must be a number, 0.1 to 1000, or two whole ones with / between them, such as "
                 "30000/1001"},

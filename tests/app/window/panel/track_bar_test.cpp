@@ -147,6 +147,8 @@ TEST_F(TrackBar, PlaysAPartBetweenItsHandlesAndTheWholeAgain) {
   EXPECT_EQ(clock().last, 100.0);
 }
 
+TEST_F(TrackBar, HasAButtonForAVideoOfThePart) { EXPECT_TRUE(asks<MakeVideo>(person_.click("Tracks.video"))); }
+
 TEST_F(TrackBar, APartOfNoLengthStillHasTwoHandles) {
   put(50.0);
   person_.type("[");

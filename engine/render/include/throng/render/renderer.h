@@ -128,11 +128,13 @@ class Renderer {
   /// last call, so the picture is not whole.
   Status finish();
 
-  /// Changes the size of pictures. Errors: those of create(); then it is as it was.
-  Status set_size(glm::ivec2 size) { return set_size(size, size); }
-  /// Changes the size of pictures, whose scenes are drawn in another size and stretched smoothly. The overlay is drawn
-  /// in the full size, and only draw_overlay() stretches. A picture that is drawn in tiles has one size.
-  Status set_size(glm::ivec2 size, glm::ivec2 drawn_size);
+  /// Changes the size of pictures. Where scenes are drawn in another size, they are stretched smoothly: the overlay is
+  /// drawn in the full size, and only draw_overlay() stretches. A picture that is drawn in tiles has one size. Errors:
+  /// those of create(); then it is as it was.
+  Status set_size(glm::ivec2 size, std::optional<glm::ivec2> drawn_size = {});
+  /// Draws stills from now on, as a renderer without a window would: in that size, with 0 or 4 samples, in tiles, and
+  /// with exact light. set_size() ends that, and a window shows no still. Errors: those of set_size().
+  Status set_still(glm::ivec2 size, int samples);
   glm::ivec2 size() const;
 
   /// Builds all shaders again from disk, and returns the first error. A program that fails keeps its last good build.

@@ -36,7 +36,8 @@ class WindowCamera {
   /// Moves the camera until the whole crowd is seen in that part.
   void frame_crowd(Show& show);
 
-  /// Gives the show its camera for this frame. Another scene than before has brought its own.
+  /// Gives the show its camera for this frame. Another scene than before has brought its own. Where a scene is laid out
+  /// anew for much larger or smaller characters, the camera goes where all of them are seen.
   void hand_over(Show& show);
   /// Takes the camera as the show has moved it.
   void take_back(const Show& show);
@@ -58,10 +59,12 @@ class WindowCamera {
   void carry_out(const SetFlySpeed& asked, Show& /*show*/) { fly_.set_speed(asked.speed); }
   void carry_out(const KeepBookmark& asked, Show& /*show*/) { bookmarks_.at(asked.place) = place(); }
   void carry_out(const GoToBookmark& asked, Show& show);
+  void follow_size_of_crowd(Show& show);
 
   FlyCamera fly_;
   CameraBookmarks bookmarks_;
   Scene scene_;
+  double spacing_;                        // CharacterRoles::spacing for which the camera stands right
   bool was_put_ = false;                  // in this frame
   std::optional<std::size_t> begins_at_;  // the camera of the show that it begins at, until see_beside() is called
 };

@@ -9,6 +9,7 @@
 #include "app/show/recording/recorder.h"
 #include "app/show/request/crowd_command.h"
 #include "app/show/request/crowd_file.h"
+#include "app/show/request/lent_clips.h"
 #include "app/show/request/openable_files.h"
 #include "app/show/show.h"
 #include "app/show/show_view.h"
@@ -121,7 +122,11 @@ void WindowRequests::carry_out(const OpenFiles& asked) {
   if (crowd != files.end()) {
     return messages().say(*crowd + ": a crowd file says who is there; drop it alone", Message::Kind::refused);
   }
-  if (tracks_.takes(files, session_) || !take(LoadModels{files})) return;
+  if (tracks_.takes(files, session_)) return;
+  const auto lent = lent_clips(files, session_.show.stage().people());
+  if (!lent) return messages().say(lent.error().message, Message::Kind::refused);
+  if (!take(*lent ? CrowdRequest((*lent)->request) : CrowdRequest(LoadModels{files}))) return;
+  if (*lent) messages().say((*lent)->words);
   for (const std::string& file : files) session_.note_recent(file);
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "app/show/camera/input.h"
@@ -27,6 +28,11 @@ bool show_help_card(Widgets& widgets, const Area& crowd, std::string& searched);
 
 /// Shows the messages so far, the newest first. Returns whether the person closed the card.
 bool show_log_card(Widgets& widgets, const Area& crowd, const Messages& messages);
+
+enum class CardAnswer : std::uint8_t { none, fold, close_all };
+
+/// Shows warnings that came together, in the upper left of `place`, with a button that closes all of them.
+CardAnswer show_remarks_card(Widgets& widgets, const Area& place, std::span<const std::string> remarks);
 
 /// Shows what the selected agent, which there is, does, and the end of the graph of entities that makes its pose, as
 /// far as there is room; of a person of a recorded crowd, speed and steps over time. The card begins in the upper left

@@ -30,8 +30,8 @@ class WindowCamera {
   void take(const CameraRequest& request, Show& show);
   /// Puts the camera where the person says, even if the scene changes in this frame.
   void put(const CameraPose& place, Show& show);
-  /// Says in which part of the window, in pixels from the top left, no panel lies. The first call moves a camera of the
-  /// show that sees the crowd in the whole picture, so that it sees it there.
+  /// Says in which part of the window, in pixels from the top left, no panel and no timeline lies. The first call moves
+  /// a camera of the show that sees the crowd in the whole picture, so that it sees it there.
   void see_beside(const UiRectangle& area, glm::ivec2 window, Show& show);
   /// Moves the camera until the whole crowd is seen in that part.
   void frame_crowd(Show& show);

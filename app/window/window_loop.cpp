@@ -102,7 +102,7 @@ class WindowLoop {
     still_frames_ = stands_still() && !is_used(input) ? still_frames_ + 1 : 0;
     const Clock::time_point overlay_start = Clock::now();
     overlay_.begin_frame(picture_.window_size().x, picture_.window_size().y, seconds, input);
-    session_.camera.see_beside(overlay_.crowd_area(), picture_.window_size(), show);
+    session_.camera.see_beside(overlay_.free_area(reporter.report()), picture_.window_size(), show);
     if (!replay_) fly(input, static_cast<float>(seconds));
     reporter.report().camera = session_.camera.place();
     session_.camera.report(reporter.report().cameras);

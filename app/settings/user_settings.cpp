@@ -16,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr int settings_version = 1;
+constexpr int most_panel_width = 100000;  // no screen has as many pixels
 constexpr JsonRemedies remedies{.malformed = "delete the file", .wrong = "delete the file"};
 
 void read_size(const JsonObject& object, UserSettings& settings) {
@@ -51,10 +52,11 @@ Result<UserSettings> read_user_settings(const fs::path& path) {
   const auto json = file.read();
   if (!json) return json.error();
   std::optional<std::string> complaint;
-  const JsonObject object("", *json, {"version", "quality", "size", "recent_files"}, complaint);
+  const JsonObject object("", *json, {"version", "quality", "size", "panel_width", "recent_files"}, complaint);
   object.version(settings_version);
   read_size(object, settings);
   read_quality(object, settings);
+  object.whole("panel_width", settings.panel_width, 0, most_panel_width);
   object.texts("recent_files", settings.recent_files);
   if (complaint) return file.wrong(*complaint);
   return settings;
@@ -64,6 +66,7 @@ Status write_user_settings(const fs::path& file, const UserSettings& settings) {
   Json json = {{"version", settings_version}};
   if (!settings.quality.empty()) json["quality"] = settings.quality;
   if (settings.width > 0) json["size"] = std::to_string(settings.width) + "x" + std::to_string(settings.height);
+  if (settings.panel_width > 0) json["panel_width"] = settings.panel_width;
   if (!settings.recent_files.empty()) json["recent_files"] = settings.recent_files;
   std::error_code error;
   fs::create_directories(file.parent_path(), error);

@@ -43,6 +43,7 @@ class WindowLoop {
         overlay_(fonts_folder(options), options.ui_scale, session_.editor.tuning(), session_.input.clipboard()) {
     if (replay != nullptr) replay_.emplace(*replay);
     overlay_.set_hidden(options.hide_ui);
+    overlay_.set_panel_width(session_.first_panel_width);
     session_.reporter.report().preset_names = preset_names();
     session_.reporter.report().crowd_names = crowd_names(".");
     session_.reporter.report_recording(options.record);
@@ -59,7 +60,7 @@ class WindowLoop {
       run_frame();
       if (frame == 1) announce();
     }
-    if (!replay_) session_.keep_settings(picture_.window_size());
+    if (!replay_) session_.keep_settings(picture_.window_size(), overlay_.panel_width());
     return failed_ && replay_ ? replay_->outcome() : failed_;
   }
 

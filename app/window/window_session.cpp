@@ -39,8 +39,10 @@ WindowSession::WindowSession(Show& show_in_window, const DemoOptions& given)
       rate(set_by_hand(given), show.painter().is_on_software()),
       first_quality(quality_of(editor.tuning())) {
   if (options.no_settings) return;
-  if (const auto settings = read_user_settings(user_settings_file()))
-    reporter.report().recent_files = settings->recent_files;
+  const auto settings = read_user_settings(user_settings_file());
+  if (!settings) return;
+  reporter.report().recent_files = settings->recent_files;
+  first_panel_width = settings->panel_width;
 }
 
 void WindowSession::show_wanted_values(bool exact_crowd) {
@@ -55,7 +57,7 @@ void WindowSession::show_wanted_values(bool exact_crowd) {
 }
 
 // Another window may have left its own settings since this one started.
-void WindowSession::keep_settings(glm::ivec2 window_size) const {
+void WindowSession::keep_settings(glm::ivec2 window_size, int panel_width) const {
   const std::filesystem::path file = user_settings_file();
   if (options.no_settings || file.empty()) return;
   const auto read = read_user_settings(file);
@@ -67,6 +69,7 @@ void WindowSession::keep_settings(glm::ivec2 window_size) const {
     settings.width = window_size.x;
     settings.height = window_size.y;
   }
+  if (panel_width != first_panel_width) settings.panel_width = panel_width;
   settings.recent_files = reporter.report().recent_files;
   if (settings == before) return;
   if (const Status kept = write_user_settings(file, settings); !kept) end_with(exit_done, kept.error().message);

@@ -298,6 +298,12 @@ UiRectangle Overlay::free_area(const FrameReport& report) const {
   return area;
 }
 
+int Overlay::panel_width() const { return static_cast<int>(std::lround(state_->dragged_width.value_or(0.0F))); }
+
+void Overlay::set_panel_width(int width) {
+  state_->dragged_width = width > 0 ? std::optional(static_cast<float>(width)) : std::nullopt;
+}
+
 bool Overlay::uses_pointer() const { return ImGui::GetIO().WantCaptureMouse; }
 
 bool Overlay::uses_keyboard() const { return ImGui::GetIO().WantTextInput || state_->has_dialog; }

@@ -29,7 +29,8 @@ class UserSettingsFile : public test::TemporaryFolder {
 };
 
 TEST_F(UserSettingsFile, GivesBackWhatWasWrittenAndMakesItsFolder) {
-  const UserSettings settings{.quality = "medium", .width = 800, .height = 600, .recent_files = {"/crowds/a.throng"}};
+  const UserSettings settings{
+      .quality = "medium", .width = 800, .height = 600, .panel_width = 420, .recent_files = {"/crowds/a.throng"}};
   const std::filesystem::path file = folder_ / "throng" / "settings.json";
   ASSERT_TRUE(write_user_settings(file, settings));
   EXPECT_EQ(read_user_settings(file).value(), settings);
@@ -44,6 +45,7 @@ TEST_F(UserSettingsFile, ThatIsDamagedIsNamedWithTheRemedy) {
   EXPECT_THAT(complaint("{"), names_all(""));
   EXPECT_THAT(complaint(R"({"version": 1, "quality": "best"})"), names_all("\"quality\" must be low"));
   EXPECT_THAT(complaint(R"({"version": 1, "size": "0x600"})"), names_all("\"size\" must be WIDTHxHEIGHT"));
+  EXPECT_THAT(complaint(R"({"version": 1, "panel_width": -3})"), names_all("\"panel_width\" must be"));
   EXPECT_THAT(complaint(R"({"version": 1, "recent_files": "a"})"), names_all("\"recent_files\" must be an array"));
 }
 

@@ -55,6 +55,17 @@ TEST_F(PanelSize, IsDraggedAtItsEdgeAndADoubleClickTakesThatBack) {
   EXPECT_EQ(crowd_width(), usual);
 }
 
+TEST_F(PanelSize, IsTakenFromALastTimeAndToldForTheNext) {
+  driver.overlay.set_panel_width(500);
+  driver.frames();
+  EXPECT_EQ(crowd_width(), OverlayDriver::width - 500);
+  EXPECT_EQ(driver.overlay.panel_width(), 500);
+  drag_edge(700);
+  EXPECT_NEAR(driver.overlay.panel_width(), OverlayDriver::width - 700, 1);
+  driver.double_click("panel edge");
+  EXPECT_EQ(driver.overlay.panel_width(), 0) << "it is as usual";
+}
+
 TEST_F(PanelSize, FollowsTheDisplay) {
   const float usual = crowd_width();
   EXPECT_FALSE(driver.overlay.set_scale(1)) << "it has that scale";

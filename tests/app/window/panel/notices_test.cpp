@@ -112,6 +112,7 @@ TEST_F(ManyWarnings, ThatComeAtOnceShareALineBesideEarlierOnes) {
 
 TEST_F(ManyWarnings, AreListedByAClickWithinTwoFifthsOfTheCrowd) {
   driver_.click("remarks");
+  ASSERT_TRUE(driver_.sees("Remarks"));
   const UiRectangle list = *driver_.find("Remarks"), crowd = driver_.overlay.crowd_area();
   EXPECT_LE(list.width * list.height, 0.4F * crowd.width * crowd.height);
   driver_.click("remarks");

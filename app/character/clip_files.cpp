@@ -99,6 +99,13 @@ Error another_body(const std::string& clip_file, const std::string& file) {
                      "export a person standing")};
 }
 
+/// Returns whether the clips of `clip_file` suit the model of `file` to which `source` was matched.
+Status check_source(const ClipSource& source, const std::string& clip_file, const std::string& file) {
+  if (source.model == nullptr) return no_clips(clip_file);
+  if (source.retargeter->match().matched() == 0) return no_bone_in_common(clip_file, file);
+  return walks_otherwise(source.retargeter->plan()) ? Status(another_body(clip_file, file)) : Done{};
+}
+
 /// Weights of morphs belong to another surface; clips that have nothing else are left out.
 void leave_out_morphs(std::vector<anim::Clip>& clips) {
   for (anim::Clip& clip : clips) clip.morph_tracks.clear();
@@ -165,6 +172,8 @@ Result<std::vector<ClipFile>> read_clip_files(std::span<const std::string> paths
   return files;
 }
 
+bool has_clips_alone(const std::string& path) { return import::holds_clips_alone(path); }
+
 std::optional<ClipFile> read_clips_alone(const std::string& path, const import::ImportOptions& options) {
   auto file = import::import_clips(path, options);
   return file ? take_clips_alone(path, *file) : std::nullopt;
@@ -184,21 +193,22 @@ std::vector<const ClipFile*> pointers_to(std::span<const ClipFile> files) {
   return pointers;
 }
 
+Status check_clips(const ClipFile& clips, const anim::Skeleton& skeleton, const std::string& file) {
+  return check_source(best_source(clips.imported, skeleton), clips.path, file);
+}
+
 Result<std::vector<std::string>> add_clips_from(std::span<const ClipFile* const> clip_files, anim::ImportedFile& file,
                                                 std::size_t model) {
   std::vector<std::string> taken;
   for (const ClipFile* const clips : clip_files) {
     const ClipSource source = best_source(clips->imported, file.models[model].skeleton);
-    if (source.model == nullptr) return no_clips(clips->path);
-    const bool has_bones = source.retargeter->match().matched() > 0;
-    const bool fits = has_bones && !walks_otherwise(source.retargeter->plan());
-    if (!fits && clips->must_fit) {
-      return has_bones ? another_body(clips->path, file.file) : no_bone_in_common(clips->path, file.file);
-    }
+    const Status fits = check_source(source, clips->path, file.file);
+    if (!fits && (clips->must_fit || source.model == nullptr)) return fits.error();
     if (fits) {
       take_clips(*clips, source, file, file.models[model]);
       taken.push_back(clips->path);
     } else {
+      const bool has_bones = source.retargeter->match().matched() > 0;
       file.notes.push_back(
           plays_none(*clips, has_bones ? "they are of a body that stands upright" : "no bone matches"));
     }

@@ -16,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr int settings_version = 1;
+constexpr int most_panel_width = 100000;  // no screen has as many pixels
 constexpr JsonRemedies remedies{.malformed = "delete the file", .wrong = "delete the file"};
 
 void read_size(const JsonObject& object, UserSettings& settings) {
@@ -56,11 +57,13 @@ Result<UserSettings> read_user_settings(const fs::path& path) {
   const auto json = file.read();
   if (!json) return json.error();
   std::optional<std::string> complaint;
-  const JsonObject object("", *json, {"version", "quality", "size", "recent_files", "picture_times", "video_seconds"},
-                          complaint);
+  const JsonObject object(
+      "", *json, {"version", "quality", "size", "panel_width", "recent_files", "picture_times", "video_seconds"},
+      complaint);
   object.version(settings_version);
   read_size(object, settings);
   read_quality(object, settings);
+  object.whole("panel_width", settings.panel_width, 0, most_panel_width);
   object.texts("recent_files", settings.recent_files);
   read_output(object, settings.output);
   if (complaint) return file.wrong(*complaint);
@@ -71,6 +74,7 @@ Status write_user_settings(const fs::path& file, const UserSettings& settings) {
   Json json = {{"version", settings_version}};
   if (!settings.quality.empty()) json["quality"] = settings.quality;
   if (settings.width > 0) json["size"] = std::to_string(settings.width) + "x" + std::to_string(settings.height);
+  if (settings.panel_width > 0) json["panel_width"] = settings.panel_width;
   if (!settings.recent_files.empty()) json["recent_files"] = settings.recent_files;
   const OutputChoices usual;
   if (settings.output.picture_times != usual.picture_times) json["picture_times"] = settings.output.picture_times;

@@ -14,6 +14,7 @@ namespace throng::app {
 struct UserSettings {
   std::string quality;                    ///< as `--quality` takes it; empty: what the device decides
   int width = 0, height = 0;              ///< of the window, pixels; 0: as usual
+  int panel_width = 0;                    ///< pixels of a plain screen; 0: as usual
   std::vector<std::string> recent_files;  ///< whole paths, the newest first
   OutputChoices output = {};
 

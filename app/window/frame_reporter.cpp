@@ -104,6 +104,7 @@ Situation situation_of(const Stage& stage, int mesh_levels) {
 FrameReporter::FrameReporter(const Show& show) {
   describe_device(show);
   describe_characters(show);
+  add_tracks(show.stage());
 }
 
 void FrameReporter::describe_characters(const Show& show) {

@@ -24,6 +24,15 @@ glm::vec3 middle_of_interest(const Stage& stage) {
   return body.foot + glm::vec3(0.0F, 0.5F * body.height, 0.0F);
 }
 
+double spacing_of(const Show& show) { return show.stage().crowd().laid_out_for().spacing(); }
+
+bool differ_much(double spacing, double other) {
+  constexpr double much = 1.15;  // a camera that stands right for one is a little near or far for the other
+  return spacing > much * other || other > much * spacing;
+}
+
+constexpr float looks_down = -0.35F;  // radians, so that people behind others are seen
+
 PicturePart part_of(const UiRectangle& area, glm::ivec2 window) {
   const auto across = static_cast<float>(window.x), along = static_cast<float>(window.y);
   return {.left = area.x / across,
@@ -34,7 +43,8 @@ PicturePart part_of(const UiRectangle& area, glm::ivec2 window) {
 
 }  // namespace
 
-WindowCamera::WindowCamera(const Show& show) : fly_(place_of(show.view().camera)), scene_(show.stage().tuning().scene) {
+WindowCamera::WindowCamera(const Show& show)
+    : fly_(place_of(show.view().camera)), scene_(show.stage().tuning().scene), spacing_(spacing_of(show)) {
   const std::vector<NamedCamera> cameras = cameras_of(show.stage(), show.view().aspect());
   const auto is_shown = [&](const NamedCamera& named) { return camera_at(named.place) == show.view().camera; };
   const auto shown = std::ranges::find_if(cameras, is_shown);
@@ -111,8 +121,24 @@ void WindowCamera::hand_over(Show& show) {
   scene_ = show.stage().tuning().scene;
   if (is_another_scene && !was_put_) fly_.set_camera(show.view().camera);
   if (is_another_scene && was_put_) show.view().films = false;
+  if (is_another_scene || was_put_) spacing_ = spacing_of(show);
+  follow_size_of_crowd(show);
   was_put_ = false;
   show.view().camera = fly_.camera();
+}
+
+// People of a recorded crowd stay where they are, whatever their size.
+void WindowCamera::follow_size_of_crowd(Show& show) {
+  if (!differ_much(spacing_of(show), spacing_)) return;
+  spacing_ = spacing_of(show);
+  const ShowView& view = show.view();
+  const Stage& stage = show.stage();
+  const bool moves_by_itself = view.guide.follows() || (view.films && view.guide.can_film(stage));
+  if (moves_by_itself || stage.crowd().tracks() != nullptr) return;
+  render::Camera camera = view.guide.home(stage, view.aspect(), view.free);
+  camera.pitch = std::min(camera.pitch, looks_down);
+  fly_.set_camera(camera);
+  frame_crowd(show);
 }
 
 void WindowCamera::report(CameraReport& report) const {

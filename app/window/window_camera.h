@@ -30,13 +30,14 @@ class WindowCamera {
   void take(const CameraRequest& request, Show& show);
   /// Puts the camera where the person says, even if the scene changes in this frame.
   void put(const CameraPose& place, Show& show);
-  /// Says in which part of the window, in pixels from the top left, no panel lies. The first call moves a camera of the
-  /// show that sees the crowd in the whole picture, so that it sees it there.
+  /// Says in which part of the window, in pixels from the top left, no panel and no timeline lies. The first call moves
+  /// a camera of the show that sees the crowd in the whole picture, so that it sees it there.
   void see_beside(const UiRectangle& area, glm::ivec2 window, Show& show);
   /// Moves the camera until the whole crowd is seen in that part.
   void frame_crowd(Show& show);
 
-  /// Gives the show its camera for this frame. Another scene than before has brought its own.
+  /// Gives the show its camera for this frame. Another scene than before has brought its own. Where a scene is laid out
+  /// anew for much larger or smaller characters, the camera goes where all of them are seen.
   void hand_over(Show& show);
   /// Takes the camera as the show has moved it.
   void take_back(const Show& show);
@@ -58,10 +59,12 @@ class WindowCamera {
   void carry_out(const SetFlySpeed& asked, Show& /*show*/) { fly_.set_speed(asked.speed); }
   void carry_out(const KeepBookmark& asked, Show& /*show*/) { bookmarks_.at(asked.place) = place(); }
   void carry_out(const GoToBookmark& asked, Show& show);
+  void follow_size_of_crowd(Show& show);
 
   FlyCamera fly_;
   CameraBookmarks bookmarks_;
   Scene scene_;
+  double spacing_;                        // CharacterRoles::spacing for which the camera stands right
   bool was_put_ = false;                  // in this frame
   std::optional<std::size_t> begins_at_;  // the camera of the show that it begins at, until see_beside() is called
 };

@@ -42,6 +42,7 @@ class WindowLoop {
         overlay_(fonts_folder(options.data), options.ui_scale, session_.editor.tuning(), session_.input.clipboard()) {
     if (replay != nullptr) replay_.emplace(*replay);
     overlay_.set_hidden(options.hide_ui);
+    overlay_.set_panel_width(session_.first_panel_width);
     session_.reporter.report().preset_names = preset_names();
     session_.reporter.report().crowd_names = crowd_names(".");
     session_.reporter.report_recording(options.record);
@@ -59,7 +60,7 @@ class WindowLoop {
       if (frame == 1) announce();
     }
     requests_.end_jobs();
-    if (!replay_) session_.keep_settings(picture_.window_size());
+    if (!replay_) session_.keep_settings(picture_.window_size(), overlay_.panel_width());
     return failed_ && replay_ ? replay_->outcome() : failed_;
   }
 
@@ -97,7 +98,7 @@ class WindowLoop {
     still_frames_ = stands_still() && !is_used(input) ? still_frames_ + 1 : 0;
     const Clock::time_point overlay_start = Clock::now();
     overlay_.begin_frame(picture_.window_size().x, picture_.window_size().y, seconds, input);
-    session_.camera.see_beside(overlay_.crowd_area(), picture_.window_size(), show);
+    session_.camera.see_beside(overlay_.free_area(reporter.report()), picture_.window_size(), show);
     if (!replay_) fly(input, static_cast<float>(seconds));
     reporter.report().camera = session_.camera.place();
     session_.camera.report(reporter.report().cameras);

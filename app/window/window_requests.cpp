@@ -8,6 +8,7 @@
 #include "app/show/recording/recorder.h"
 #include "app/show/request/crowd_command.h"
 #include "app/show/request/crowd_file.h"
+#include "app/show/request/lent_clips.h"
 #include "app/show/request/openable_files.h"
 #include "app/show/show.h"
 #include "app/show/show_view.h"
@@ -141,9 +142,13 @@ void WindowRequests::carry_out(const OpenFiles& asked) {
 }
 
 void WindowRequests::open_models(const std::vector<std::string>& files) {
-  const CrowdRequest models = LoadModels{files};
-  session_.loading.begin(session_.show.plan_for({&models, 1}), [this, models, files](const ShownTracks&) {
-    if (!make(models)) return;
+  const auto lent = lent_clips(files, session_.show.stage().people());
+  if (!lent) return messages().say(lent.error().message, Message::Kind::refused);
+  const CrowdRequest request = *lent ? CrowdRequest((*lent)->request) : CrowdRequest(LoadModels{files});
+  const std::string words = *lent ? (*lent)->words : std::string();
+  session_.loading.begin(session_.show.plan_for({&request, 1}), [this, request, words, files](const ShownTracks&) {
+    if (!make(request)) return;
+    if (!words.empty()) messages().say(words);
     for (const std::string& file : files) session_.note_recent(file);
   });
 }

@@ -45,6 +45,7 @@ WindowSession::WindowSession(Show& show_in_window, const DemoOptions& given)
   if (!settings) return;
   reporter.report().recent_files = settings->recent_files;
   reporter.report().output = settings->output;
+  first_panel_width = settings->panel_width;
 }
 
 Tuning WindowSession::best_values() const {
@@ -69,7 +70,7 @@ void WindowSession::show_wanted_values(bool exact_crowd) {
 }
 
 // Another window may have left its own settings since this one started.
-void WindowSession::keep_settings(glm::ivec2 window_size) const {
+void WindowSession::keep_settings(glm::ivec2 window_size, int panel_width) const {
   const std::filesystem::path file = user_settings_file();
   if (options.no_settings || file.empty()) return;
   const auto read = read_user_settings(file);
@@ -81,6 +82,7 @@ void WindowSession::keep_settings(glm::ivec2 window_size) const {
     settings.width = window_size.x;
     settings.height = window_size.y;
   }
+  if (panel_width != first_panel_width) settings.panel_width = panel_width;
   settings.recent_files = reporter.report().recent_files;
   settings.output = reporter.report().output;
   if (settings == before) return;

@@ -32,8 +32,8 @@ struct WindowSession {
   /// Gives the show the values of the next frame: those of the exact crowd while a person holds its key, of the next
   /// stop of a sweep, or as the panel shows them.
   void show_wanted_values(bool exact_crowd);
-  /// Leaves quality, size and recent files of the window to the next one, where a person changed them in this one.
-  void keep_settings(glm::ivec2 window_size) const;
+  /// Leaves quality, sizes and recent files of the window to the next one, where a person changed them in this one.
+  void keep_settings(glm::ivec2 window_size, int panel_width) const;
   /// Returns the work of the person that a crowd file holds.
   CrowdWork crowd_work() const;
   /// Names a file that was opened or saved among the recent ones.
@@ -52,6 +52,7 @@ struct WindowSession {
   FrameRateKeeper rate;
   TuningSweep sweep;
   const std::string first_quality;  ///< that the window started with
+  int first_panel_width = 0;        ///< likewise, in pixels of a plain screen; 0: as usual
 };
 
 }  // namespace throng::app

@@ -65,5 +65,16 @@ TEST(ClipsWithoutASkin, NeedNodesThatMove) {
   EXPECT_TRUE(clips_of(document).models.empty());
 }
 
+TEST(ClipsWithoutASkin, AreKnownByTheTextOfTheirFile) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(holds_clips_alone(folder.write("clips.gltf", without_skin().dump()).string()));
+  EXPECT_FALSE(holds_clips_alone(data_path("features/data-uri.gltf")));
+  json still = without_skin();
+  still.erase("animations");
+  EXPECT_FALSE(holds_clips_alone(folder.write("still.gltf", still.dump()).string()));
+  EXPECT_FALSE(holds_clips_alone(folder.write("broken.glb", "glTF").string()));
+  EXPECT_FALSE(holds_clips_alone("no-such-file.glb"));
+}
+
 }  // namespace
 }  // namespace throng::import::testing::clips_alone_test

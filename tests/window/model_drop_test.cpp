@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "tests/window/window_driver.h"
@@ -31,6 +32,31 @@ TEST_F(DroppedModel, MayBeAFolderWhoseSharesAreDragged) {
   wait_for("no agent of the smallest share", [](const Json& now) {
     return now["report"]["cast"][1]["agents"] == 0 && now["report"]["cast"][0]["agents"] == 50;
   });
+}
+
+TEST_F(DroppedModel, WithoutAMeshLendsItsClipsUntilThatIsTakenBack) {
+  const std::string features = std::string(THRONG_SOURCE_DIR) + "/tests/data/features/";
+  std::ifstream stream(features + "data-uri.gltf");
+  Json clips = Json::parse(stream);
+  for (const char* const key : {"meshes", "skins", "materials"}) clips.erase(key);
+  for (Json& node : clips["nodes"]) {
+    node.erase("mesh");
+    node.erase("skin");
+  }
+  std::ofstream(folder() / "moves.gltf") << clips.dump();
+  const auto wait_for_notice = [&](const std::string& what, bool is_there) {
+    wait_for(what, [&](const Json& now) {
+      return (now["report"]["notice"].get<std::string>().find("moves.gltf: 1 clip taken") != std::string::npos) ==
+             is_there;
+    });
+  };
+  drop(features + "no-animation.glb");
+  wait_for("the character", [&](const Json& now) { return now["report"]["drawn"] > 0; });
+  drop((folder() / "moves.gltf").string());
+  wait_for_message("The clips of moves.gltf are lent to no-animation");
+  wait_for_notice("the clips", true);
+  xdotool({"key", "ctrl+z"});
+  wait_for_notice("the clips to be gone", false);
 }
 
 TEST_F(DroppedModel, ABadOneChangesNothingAndSaysWhy) {

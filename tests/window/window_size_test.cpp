@@ -112,6 +112,20 @@ TEST_F(WindowSize, HasAPanelOfTheScaleOfItsDisplayUnlessAnotherIsAskedFor) {
   EXPECT_EQ(height_of_search(), usual);
 }
 
+TEST_F(WindowSize, HasAPanelAsWideAsItWasLeft) {
+  const auto edge = [&] { return next_map()["widgets"]["panel edge"]["x"].get<double>(); };
+  point_at(edge() + 2, 300);
+  button(1, true);
+  point_at(700, 300);
+  next_map();
+  button(1, false);
+  EXPECT_NEAR(edge(), 700, 3);
+  xdotool({"key", "ctrl+q"});
+  ASSERT_EQ(program().exit_status(soon()), 0);
+  start_program(options());
+  EXPECT_NEAR(edge(), 700, 3);
+}
+
 class LargeOverlay : public WindowSize {
  protected:
   std::vector<std::string> options() const override {

@@ -21,7 +21,8 @@ constexpr double least_gap_in_lane = 1.1;
 constexpr double share_of_walkers = 0.4;  // plan_plaza() lays no lanes where that is no agent
 constexpr double seats_beyond_edge = 2.5;
 constexpr double room_of_seat = 0.35;
-constexpr double most_seated = 0.2;  // of agents that do not walk
+constexpr double most_seated = 0.2;    // of agents that do not walk
+constexpr double least_on_seat = 0.9;  // of a scene's distances, that a body is tall
 
 // Puts walkers at about even distances, at least `least_gap` apart.
 void fill_lane(std::uint32_t index, double length, std::size_t count, double least_gap, Random& random,
@@ -93,6 +94,8 @@ glm::dvec2 plaza_viewpoint(std::size_t agents, double spacing, Clothes clothes) 
   return glm::dvec2(from_centre / std::numbers::sqrt2);
 }
 
+bool fits_seats(const CharacterRoles& roles) { return roles.size() >= least_on_seat * roles.spacing(); }
+
 CrowdLayout plaza_layout(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles, Clothes clothes) {
   const double spacing = roles.spacing();
   CrowdLayout layout;
@@ -114,7 +117,8 @@ CrowdLayout plaza_layout(std::size_t agents, std::uint32_t seed, const Character
   const double side = plaza_side(agents, spacing);
   const std::vector<BenchSeat> seats = seats_in(side, spacing, plan.fixtures);
   const std::vector<Obstacle> taken = with_seats(layout.obstacles, seats, spacing);
-  const std::vector<StanderStart> seated = seat_some(seats, left, Random(seed, 12));
+  const std::vector<StanderStart> seated =
+      fits_seats(roles) ? seat_some(seats, left, Random(seed, 12)) : std::vector<StanderStart>();
   const GroupGround ground{side, spacing, plaza_viewpoint(agents, spacing), plan.ground, taken};
   layout.standers = place_groups(left - seated.size(), ground, Random(seed, 3));
   layout.standers.insert(layout.standers.end(), seated.begin(), seated.end());

@@ -70,6 +70,10 @@ double plaza_side(std::size_t agents, double spacing, Clothes clothes = Clothes:
 /// Returns the corner from which the camera looks at the plaza: x and z in metres. The few metres before it stay free.
 glm::dvec2 plaza_viewpoint(std::size_t agents, double spacing, Clothes clothes = Clothes::own);
 
+/// Returns whether the seats, trunks and steps of a scene, which grow with its distances, are of the character's size.
+/// A character that is wide for its height, or tiny, has more distance than its height needs.
+bool fits_seats(const CharacterRoles& roles);
+
 /// Fills a plaza of any size evenly with promenades, small loops, things that stand about, and loose groups. Where
 /// clothes form a pattern, all agents stand in a formation instead, and look to the viewpoint.
 CrowdLayout plaza_layout(std::size_t agents, std::uint32_t seed, const CharacterRoles& roles,

@@ -173,6 +173,7 @@ std::vector<RestSpot> step_places(std::span<const BenchSeat> steps, double spaci
 }
 
 void let_some_rest(CrowdLayout& layout, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles) {
+  if (!fits_seats(roles)) return;
   const double spacing = roles.spacing();
   std::vector<RestSpot> places = rest_spots(layout.fixtures, spacing);
   const std::vector<RestSpot> on_steps = step_places(plaza_steps(agents, spacing), spacing);

@@ -31,7 +31,7 @@ std::vector<BenchSeat> plaza_steps(std::size_t agents, double spacing, Clothes c
 std::vector<RestSpot> step_places(std::span<const BenchSeat> steps, double spacing);
 
 /// Moves some people who stand about in a plaza to its trunks, kiosks, rims and steps, as far as `roles` can lean and
-/// sit there. No person goes where others stand.
+/// sit there and fit the seats. No person goes where others stand.
 void let_some_rest(CrowdLayout& layout, std::size_t agents, std::uint32_t seed, const CharacterRoles& roles);
 
 }  // namespace throng::app

@@ -19,7 +19,8 @@ namespace throng::app {
 namespace {
 
 constexpr std::size_t history_shown = 240, bytes_a_line = 12, most_bytes_shown = 384, most_events_shown = 8;
-constexpr float layer_height = 19, entity_indent = 12, bar_width = 62, percent_width = 44, clip_time_width = 84;
+constexpr float layer_height = 19, entity_indent = 12, bar_width = 62, narrow_bar_width = 20, percent_width = 44,
+                clip_time_width = 84;
 constexpr float right_margin = 20;  // as wide as the column of resets, which facts leave free too
 
 void show_who(const TabContext& context, const SelectionReport& selected) {
@@ -34,9 +35,13 @@ void show_who(const TabContext& context, const SelectionReport& selected) {
   show_view_button(widgets, "View alone", ImGui::GetContentRegionAvail().x, context.requests);
 }
 
+float bar_width_in(const Theme& theme, const Area& row) {
+  return theme.px(is_narrow(theme, row.width()) ? narrow_bar_width : bar_width);
+}
+
 /// Draws a share, 0 to 1, between the words and the figure.
 void draw_bar(const Theme& theme, const Area& row, float weight, ImU32 colour) {
-  const float right = row.to.x - theme.px(percent_width), left = right - theme.px(bar_width);
+  const float right = row.to.x - theme.px(percent_width), left = right - bar_width_in(theme, row);
   const float y = std::floor((row.from.y + row.to.y) / 2), half = theme.px(2.5F);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRectFilled({left, y - half}, {right, y + half}, colour::well_hovered, half);
@@ -53,12 +58,10 @@ void draw_layer(const Theme& theme, const Area& row, const LayerRow& layer) {
 
 void draw_entity(const Theme& theme, const Area& row, const EntityRow& entity) {
   const float y = row.from.y + theme.px(3);
-  const float times_end = row.to.x - theme.px(percent_width + bar_width + 8);
+  const float times_end = row.to.x - theme.px(percent_width + 8) - bar_width_in(theme, row);
   const ImU32 ink = entity.weight > 0 ? colour::text : colour::dim;
-  ImGui::PushClipRect(row.from, {times_end - theme.px(clip_time_width), row.to.y}, true);
-  draw_text(theme.small, {row.from.x + theme.px(entity_indent), y}, ink,
-            entity.clip.empty() ? entity.kind : entity.clip);
-  ImGui::PopClipRect();
+  const float left = row.from.x + theme.px(entity_indent), room = times_end - theme.px(clip_time_width) - left;
+  draw_text(theme.small, {left, y}, ink, fitted(theme.small, room, entity.clip.empty() ? entity.kind : entity.clip));
   draw_text(theme.small, {times_end, y}, colour::dim, place_in_clip(entity), 1);
   draw_bar(theme, row, entity.weight, colour::frame);
   draw_text(theme.small, {row.to.x, y}, ink, as_percent(entity.weight), 1);

@@ -33,9 +33,8 @@ void draw_bone(const Theme& theme, const Area& row, const BoneRow& bone, std::si
   draw_text(theme.small, {row.from.x + theme.px(24), text_y}, colour::faint, std::to_string(place + 1), 1);
   const float indent = theme.px(32) + std::min(static_cast<float>(bone.depth) * theme.px(6), theme.px(84));
   const float dots = theme.px(11) * static_cast<float>(levels) + theme.px(10), figures = row.to.x - dots;
-  ImGui::PushClipRect(row.from, {figures - theme.px(58), row.to.y}, true);
-  draw_text(theme.small, {row.from.x + indent, text_y}, colour::text, bone.name);
-  ImGui::PopClipRect();
+  const float left = row.from.x + indent;
+  draw_text(theme.small, {left, text_y}, colour::text, fitted(theme.small, figures - theme.px(58) - left, bone.name));
   draw_text(theme.small, {figures, text_y}, colour::dim, millimetres(millimetres_off(bone)), 1);
   draw_levels_kept(theme, {row.to.x, middle}, std::min<int>(bone.lod.level, 3), levels);
 }

@@ -16,10 +16,9 @@ void begin_fixed_window(const char* name, const Area& place, float rounding, ImG
 }
 
 Area begin_bar(Widgets& widgets, const char* name, const Area& crowd, float height) {
-  constexpr float margin = 12;
   const Theme& theme = widgets.theme();
-  const Area place{.from = {crowd.from.x + theme.px(margin), crowd.to.y - theme.px(margin + height)},
-                   .to = {crowd.to.x - theme.px(margin), crowd.to.y - theme.px(margin)}};
+  const Area place{.from = {crowd.from.x + theme.px(bar_margin), crowd.to.y - theme.px(bar_margin + height)},
+                   .to = {crowd.to.x - theme.px(bar_margin), crowd.to.y - theme.px(bar_margin)}};
   begin_fixed_window(name, place, theme.px(10));
   widgets.record(name, place);
   widgets.cover(place);

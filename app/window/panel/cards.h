@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,11 @@ void show_start_card(Widgets& widgets, const Area& window, const JobReport& job,
 /// Shows the messages so far, the newest first. Returns whether the person closed the card.
 bool show_log_card(Widgets& widgets, const Area& crowd, const Messages& messages);
 
+enum class CardAnswer : std::uint8_t { none, fold, close_all };
+
+/// Shows warnings that came together, in the upper left of `place`, with a button that closes all of them.
+CardAnswer show_remarks_card(Widgets& widgets, const Area& place, std::span<const std::string> remarks);
+
 /// Shows what the selected agent, which there is, does, and the end of the graph of entities that makes its pose, as
 /// far as there is room; of a person of a recorded crowd, speed and steps over time. The card begins in the upper left
 /// of `place`, where there is mostly sky. Closing it deselects the agent.
@@ -62,6 +68,8 @@ void apply_replay_keys(const InputFrame& input, Requests& requests);
 /// with a handle at the present time and one at each end of the part that is played. Below, its controls: a row back,
 /// play backwards, play and pause, a row on, rate, loop, the whole file.
 void show_track_bar(const TabContext& context, const Area& crowd);
+/// Returns the height that it takes at the foot of the crowd, with the margin below it.
+float height_of_track_bar(const Theme& theme);
 
 /// Carries out the keys pressed in this frame for a recorded crowd: Left and Right go a row back and on, with Shift a
 /// second, and pause; `[` and `]` begin and end the part that is played; Shift+Space plays the other way; Space at the
@@ -78,6 +86,9 @@ std::optional<UnsavedAnswer> show_question_card(Widgets& widgets, const InputFra
 
 /// Begins a window of the overlay that stays in its place; end it with ImGui::End().
 void begin_fixed_window(const char* name, const Area& place, float rounding = 0, ImGuiWindowFlags more_flags = 0);
+
+/// The margin around a bar at the foot of the crowd, in pixels of a plain screen.
+inline constexpr float bar_margin = 12;
 
 /// Begins a bar of that height at the foot of the crowd; end it with ImGui::End(). Returns its place.
 Area begin_bar(Widgets& widgets, const char* name, const Area& crowd, float height);

@@ -7,6 +7,7 @@ namespace throng::app {
 namespace {
 
 constexpr float dialog_margin = 18, dialog_title = 34, dialog_foot = 26;
+constexpr ImU32 shade_below = IM_COL32(0, 0, 0, 120);  // over all that takes no click now
 
 Area middle_of_screen(const Theme& theme, ImVec2 size) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -30,6 +31,7 @@ Dialog::Dialog(Widgets& widgets, const char* title, ImVec2 size) : theme_(widget
   if (!ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows)) ImGui::SetWindowFocus();
   const Area card = middle_of_screen(theme_, size);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled({0, 0}, ImGui::GetIO().DisplaySize, shade_below);
   draw.AddRectFilled(card.from, card.to, colour::panel | IM_COL32_A_MASK, theme_.px(8));
   draw.AddRect(card.from, card.to, colour::accent_soft, theme_.px(8));
   const float margin = theme_.px(dialog_margin);

@@ -31,6 +31,12 @@ bool is_folder_there(const fs::path& path) {
   return fs::is_directory(path, ignored);
 }
 
+// Without a slash at its end, behind which its parent would be itself.
+fs::path tidied(const fs::path& folder) {
+  const fs::path normal = folder.lexically_normal();
+  return normal.has_filename() || !normal.has_relative_path() ? normal : normal.parent_path();
+}
+
 bool is_there(const fs::path& path) {
   std::error_code ignored;
   return fs::exists(path, ignored);
@@ -46,16 +52,25 @@ void FilePicker::open(Purpose purpose) {
 }
 
 void FilePicker::go_to(const fs::path& folder) {
-  const auto entries = folder_entries(folder);
   set_field("");
+  const auto entries = folder_entries(folder);
   if (!entries) return static_cast<void>(complaint_ = entries.error().message);
-  folder_ = folder.lexically_normal();
+  folder_ = tidied(folder);
+  list_folder(folder_);
+}
+
+// A folder that cannot be read has an empty list.
+void FilePicker::list_folder(const fs::path& folder) {
+  listed_ = folder;
   in_folder_.clear();
-  if (folder_.has_relative_path()) in_folder_.push_back({.name = above, .words = above, .is_folder = true});
+  if (folder.has_relative_path()) in_folder_.push_back({.name = above, .words = above, .is_folder = true});
+  const auto entries = folder_entries(folder);
+  if (!entries) return;
   for (const FolderEntry& entry : *entries) {
-    const fs::path file = folder_ / entry.name;
+    const fs::path file = folder / entry.name;
     const bool fits = *purpose_ == Purpose::open ? is_openable_(file) : file.extension() == ending_;
-    if (entry.is_folder || fits) in_folder_.push_back({entry.name, plain_text(entry.name), entry.is_folder});
+    if (!entry.is_folder && !fits) continue;
+    in_folder_.push_back({.name = entry.name, .words = plain_text(entry.name), .is_folder = entry.is_folder});
   }
 }
 
@@ -71,12 +86,18 @@ void FilePicker::list_rows(std::span<const std::string> recent) {
   rows_.clear();
   if (*purpose_ == Purpose::open) {
     for (const std::string& file : recent.first(std::min(recent.size(), most_recent_rows))) {
-      if (has_letters(file, field_)) rows_.push_back({.name = file, .words = plain_text(file)});
+      if (!has_letters(file, field_)) continue;
+      const fs::path path(file);
+      rows_.push_back({.name = file,
+                       .words = plain_text(path.filename().string()),
+                       .where = plain_text(path.parent_path().string())});
     }
   }
-  const bool filters = *purpose_ == Purpose::open && !fs::path(field_).has_parent_path();
+  const fs::path typed(field_), folder = tidied(folder_ / typed.parent_path());
+  if (folder != listed_ && is_folder_there(folder)) list_folder(folder);
+  const std::string letters = *purpose_ == Purpose::open ? typed.filename().string() : std::string();
   for (const Row& row : in_folder_) {
-    if (!filters || has_letters(row.name, field_)) rows_.push_back(row);
+    if (has_letters(row.name, letters)) rows_.push_back(row);
   }
   if (marked_ && *marked_ >= rows_.size()) marked_.reset();
 }
@@ -96,10 +117,10 @@ void FilePicker::walk(const InputFrame& input) {
 
 std::optional<std::string> FilePicker::take_row(std::size_t row) {
   const Row taken = rows_[row];
-  const fs::path path = taken.name == above ? folder_.parent_path() : folder_ / taken.name;
+  const fs::path path = taken.name == above ? listed_.parent_path() : listed_ / taken.name;
   if (taken.is_folder) return go_to(path), std::nullopt;
   if (*purpose_ == Purpose::open) return take(path);
-  set_field(taken.name);  // which is replaced when it is saved
+  set_field(listed_ == folder_ ? taken.name : path.string());  // which is replaced when it is saved
   return std::nullopt;
 }
 
@@ -132,7 +153,7 @@ std::optional<std::string> FilePicker::show(Widgets& widgets, const InputFrame& 
   const Area all = dialog.content();
   const bool goes_up = field_.empty() && input.was_pressed(Key::backspace) && folder_.has_relative_path();
   if (goes_up) go_to(folder_.parent_path());
-  draw_text(theme.small, all.from, colour::dim, plain_text(folder_.string()));
+  draw_text(theme.small, all.from, colour::dim, plain_text(listed_.string()));
   show_field(widgets, {.from = {all.from.x, all.from.y + theme.px(22)}, .to = {all.to.x, all.from.y + theme.px(46)}});
   list_rows(recent);
   walk(input);
@@ -173,10 +194,11 @@ std::optional<std::string> FilePicker::show_rows(Widgets& widgets, const Area& p
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const Area line{.from = from, .to = {from.x + width, from.y + theme.px(picker_row)}};
     if (widgets.pressable("picker:" + row.name, line)) clicked = i;
+    const bool begins_folder = i > 0 && !rows_[i - 1].where.empty() && row.where.empty();
+    if (begins_folder) ImGui::GetWindowDrawList()->AddLine(from, {line.to.x, from.y}, colour::grid);
     const ImU32 ground = marked_ == i ? colour::accent_soft : (ImGui::IsItemHovered() ? colour::well_hovered : 0);
     ImGui::GetWindowDrawList()->AddRectFilled(line.from, line.to, ground, theme.px(4));
-    draw_text(theme.regular, {from.x + theme.px(8), from.y + theme.px(4)}, row.is_folder ? colour::dim : colour::text,
-              row.words + (row.is_folder ? "/" : ""));
+    draw_row(theme, line, row);
     if (scrolls_ && marked_ == i) ImGui::SetScrollHereY();
     ImGui::SetCursorScreenPos({from.x, line.to.y});
     ImGui::PopID();
@@ -187,12 +209,32 @@ std::optional<std::string> FilePicker::show_rows(Widgets& widgets, const Area& p
   return clicked ? take_row(*clicked) : std::nullopt;
 }
 
+void FilePicker::draw_row(const Theme& theme, const Area& line, const Row& row) const {
+  const float left = line.from.x + theme.px(8), y = line.from.y + theme.px(4), room = line.to.x - left;
+  const std::string words = fitted(theme.regular, room, row.words + (row.is_folder ? "/" : ""));
+  draw_text(theme.regular, {left, y}, colour::text, words);
+  if (row.where.empty()) return;
+  const float begin = text_width(theme.regular, words) + theme.px(10);
+  draw_text(theme.small, {left + begin, y + theme.px(1)}, colour::dim, fitted(theme.small, room - begin, row.where));
+}
+
+std::string FilePicker::words_at_foot() const {
+  if (over_) return plain_text(over_->filename().string()) + " is there; Enter replaces it";
+  if (!complaint_.empty()) return complaint_;
+  const bool has_files = std::ranges::any_of(rows_, [](const Row& row) { return !row.is_folder; });
+  if (has_files) return "Up, Down and Enter walk; Backspace: the folder above";
+  return *purpose_ == Purpose::open ? "No file of this folder is a model, a recorded or a kept crowd"
+                                    : "No crowd is kept in this folder";
+}
+
 std::optional<std::string> FilePicker::show_foot(Widgets& widgets, const Area& place) {
   const Theme& theme = widgets.theme();
   const float width = theme.px(picker_button);
-  const std::string words =
-      over_ ? plain_text(over_->filename().string()) + " is there; Enter replaces it" : complaint_;
-  draw_text(theme.small, {place.from.x, place.from.y + theme.px(6)}, colour::changed, words);
+  const std::string words = words_at_foot();
+  const float room = place.width() - 2 * width - theme.px(16);
+  const bool is_one_line = text_width(theme.small, words) <= room;
+  draw_wrapped(theme.small, {place.from.x, place.from.y + theme.px(is_one_line ? 6 : -1)},
+               over_ || !complaint_.empty() ? colour::changed : colour::dim, room, words);
   ImGui::SetCursorScreenPos({place.to.x - 2 * width - theme.px(8), place.from.y});
   if (widgets.named_button("Cancel", "picker:cancel", {.what = "Esc"}, width)) purpose_.reset();
   if (!is_open()) return std::nullopt;

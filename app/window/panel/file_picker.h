@@ -15,7 +15,7 @@ namespace throng::app {
 
 /// Lets a person choose a file to open, or a name to save under: a list of the folders and files that can be opened,
 /// files of before on top, and a field for a name or a path. Letters filter the list; up, down and Enter walk in it;
-/// Backspace in an empty field goes to the folder above; Esc closes it.
+/// Backspace in an empty field goes to the folder above; Esc closes it. The list follows a path that is typed.
 class FilePicker {
  public:
   enum class Purpose : std::uint8_t { open, save };
@@ -38,10 +38,12 @@ class FilePicker {
  private:
   struct Row {
     std::string name, words;
+    std::string where = {};  ///< the folder of a file of before
     bool is_folder = false;
   };
 
   void go_to(const std::filesystem::path& folder);
+  void list_folder(const std::filesystem::path& folder);
   void set_field(std::string text);
   void list_rows(std::span<const std::string> recent);
   void walk(const InputFrame& input);
@@ -49,14 +51,17 @@ class FilePicker {
   std::optional<std::string> take_field();
   std::optional<std::string> take(const std::filesystem::path& file);
   std::optional<std::string> show_rows(Widgets& widgets, const Area& place);
+  void draw_row(const Theme& theme, const Area& line, const Row& row) const;
+  [[nodiscard]] std::string words_at_foot() const;
   std::optional<std::string> show_foot(Widgets& widgets, const Area& place);
   void show_field(Widgets& widgets, const Area& place);
 
   Test is_openable_;
   std::string ending_;
   std::optional<Purpose> purpose_;
-  std::filesystem::path folder_ = ".";
-  std::vector<Row> in_folder_, rows_;  // all files of the folder, and the files that the list shows
+  std::filesystem::path folder_ = ".";  // that a name in the field is relative to
+  std::filesystem::path listed_;        // that of the list: a path in the field leads to another
+  std::vector<Row> in_folder_, rows_;   // all files of the listed folder, and the files that the list shows
   std::string field_;
   std::string complaint_;                      // why the field names no file to take; empty: it does
   std::optional<std::filesystem::path> over_;  // the file that is replaced when it is asked for once more

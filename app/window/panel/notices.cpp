@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
+#include <optional>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -9,6 +11,7 @@
 #include "app/window/panel/badges.h"
 #include "app/window/panel/cards.h"
 #include "app/window/panel/tabs.h"
+#include "engine/base/text/joined.h"
 
 namespace throng::app {
 namespace {
@@ -16,15 +19,18 @@ namespace {
 constexpr float pills_edge = 12, pills_gap = 6, pill_pad_x = 14, pill_pad_y = 5, pill_dot = 4, dot_room = 14,
                 cross_room = 18;
 constexpr std::size_t most_messages_seen = 4;
+constexpr std::size_t most_warnings_at_once = 3;  // that have a line each
 
-/// A rounded line of words with a dot before it and, if it can be closed, a cross behind it.
+/// A rounded line of words with a dot before it and, if it can be closed, a cross behind it; or a sign that a click
+/// unfolds it.
 struct Pill {
   std::string name;
   ImU32 dot = 0;
   std::string words;
   std::string help = {};
   float presence = 1;
-  std::function<void()> close = {};  ///< empty: it cannot be closed
+  std::function<void()> close = {};    ///< called by a click; empty: it cannot be closed
+  std::optional<bool> is_folded = {};  ///< where it has a list below
   Area place = {};
 };
 
@@ -52,6 +58,7 @@ void draw_pill(const Theme& theme, const Area& crowd, const Pill& pill, bool hov
   const ImVec2 cross(pill.place.to.x - theme.px(pill_pad_x), middle);
   const float arm = theme.px(3.5F);
   const ImU32 ink = seen(hovered ? colour::text : colour::dim);
+  if (pill.is_folded) return draw_fold_sign(theme, cross, *pill.is_folded, ink);
   draw.AddLine({cross.x - arm, cross.y - arm}, {cross.x + arm, cross.y + arm}, ink, theme.px(1.5F));
   draw.AddLine({cross.x - arm, cross.y + arm}, {cross.x + arm, cross.y - arm}, ink, theme.px(1.5F));
 }
@@ -77,20 +84,57 @@ std::vector<Pill> badge_pills(const TabContext& context) {
   return pills;
 }
 
-std::vector<Pill> warning_pills(const TabContext& context) {
-  std::vector<Pill> pills;
-  std::set<std::string>& closed = context.memory.notices.warnings;
+std::vector<std::string> open_warnings(const TabContext& context) {
+  std::vector<std::string> open;
   const auto add = [&](const std::string& words) {
-    if (closed.contains(words)) return;
-    pills.push_back({.name = "warning:" + std::to_string(pills.size()),
-                     .dot = colour::changed,
-                     .words = words,
-                     .close = [&closed, words] { closed.insert(words); }});
+    if (!context.memory.notices.warnings.contains(words)) open.push_back(words);
   };
   std::istringstream lines(context.report.notice);
   for (std::string line; std::getline(lines, line);) add(line);
   if (context.widgets.theme().fonts_missing) add("The overlay's fonts cannot be read in the data folder.");
+  return open;
+}
+
+/// Returns the warnings that share a line, and leaves the others in `open`.
+std::vector<std::string> take_shared(std::vector<std::string>& open, NoticeMemory& memory) {
+  std::set<std::string> fresh;
+  for (const std::string& words : open) {
+    if (!memory.alone.contains(words) && !memory.together.contains(words)) fresh.insert(words);
+  }
+  (fresh.size() > most_warnings_at_once ? memory.together : memory.alone).merge(fresh);
+  std::vector<std::string> shared;
+  const auto takes = [&](const std::string& words) { return memory.together.contains(words); };
+  std::ranges::copy_if(open, std::back_inserter(shared), takes);
+  std::erase_if(open, takes);
+  return shared;
+}
+
+std::vector<Pill> warning_pills(const std::vector<std::string>& alone, const std::vector<std::string>& shared,
+                                NoticeMemory& memory) {
+  std::vector<Pill> pills;
+  for (const std::string& words : alone) {
+    pills.push_back({.name = "warning:" + std::to_string(pills.size()),
+                     .dot = colour::changed,
+                     .words = words,
+                     .close = [&memory, words] { memory.warnings.insert(words); }});
+  }
+  if (shared.empty()) return pills;
+  pills.push_back({.name = "remarks",
+                   .dot = colour::changed,
+                   .words = counted(shared.size(), "remark") + " about what was opened",
+                   .help = memory.lists_together ? "A click folds the list." : "A click lists them.",
+                   .close = [&memory] { memory.lists_together = !memory.lists_together; },
+                   .is_folded = !memory.lists_together});
   return pills;
+}
+
+void show_shared(const TabContext& context, const Area& below, const std::vector<std::string>& shared) {
+  NoticeMemory& memory = context.memory.notices;
+  if (shared.empty()) memory.lists_together = false;
+  if (!memory.lists_together) return;
+  const CardAnswer answer = show_remarks_card(context.widgets, below, shared);
+  if (answer != CardAnswer::none) memory.lists_together = false;
+  if (answer == CardAnswer::close_all) memory.warnings.insert(shared.begin(), shared.end());
 }
 
 // The newest come first, since there may be no room for all.
@@ -147,7 +191,11 @@ void show_pills(Widgets& widgets, const Area& crowd, const char* window, const s
 
 float show_notices(const TabContext& context, const Area& crowd) {
   const Theme& theme = context.widgets.theme();
-  std::vector<Pill> badges = badge_pills(context), warnings = warning_pills(context), messages = message_pills(context);
+  NoticeMemory& memory = context.memory.notices;
+  std::vector<std::string> alone = open_warnings(context);
+  const std::vector<std::string> shared = take_shared(alone, memory);
+  std::vector<Pill> badges = badge_pills(context), warnings = warning_pills(alone, shared, memory),
+                    messages = message_pills(context);
   const float left = crowd.from.x + theme.px(pills_edge);
   const float top = crowd.from.y + theme.px(pills_edge);
   const float below_badges = place_in_lines(theme, crowd, {left, top}, badges);
@@ -156,6 +204,7 @@ float show_notices(const TabContext& context, const Area& crowd) {
   show_pills(context.widgets, crowd, "Badge", badges);
   show_pills(context.widgets, crowd, "Warning", warnings);
   show_pills(context.widgets, crowd, "Message", messages);
+  show_shared(context, {.from = {crowd.from.x, below}, .to = crowd.to}, shared);
   return below > top ? below : crowd.from.y;
 }
 

@@ -31,6 +31,7 @@ constexpr float column_width = 380, strip_height = 132;
 constexpr float least_column_width = 266;      // in which every row can be read
 constexpr float usual_of_width = 1.0F / 3.0F;  // that the column takes at most, unless it would be too narrow
 constexpr float most_of_width = 0.6F;          // that it takes in any case
+constexpr float most_of_height_for_bar = 0.5F;
 constexpr float lowest_scale = 0.5F, highest_scale = 4.0F, scale_step = 1.1F;
 
 struct Layout {
@@ -308,6 +309,19 @@ UiRectangle Overlay::crowd_area() const {
   if (state_->switches.hidden) return {.width = size.x, .height = size.y};
   const Area crowd = state_->layout().crowd;
   return {.width = crowd.width(), .height = state_->shows_viewer ? size.y : crowd.height()};
+}
+
+UiRectangle Overlay::free_area(const FrameReport& report) const {
+  UiRectangle area = crowd_area();
+  const bool has_timeline = report.tracks && !report.viewer && !state_->switches.hidden;
+  if (has_timeline) area.height -= std::min(height_of_track_bar(state_->theme), most_of_height_for_bar * area.height);
+  return area;
+}
+
+int Overlay::panel_width() const { return static_cast<int>(std::lround(state_->dragged_width.value_or(0.0F))); }
+
+void Overlay::set_panel_width(int width) {
+  state_->dragged_width = width > 0 ? std::optional(static_cast<float>(width)) : std::nullopt;
 }
 
 bool Overlay::uses_pointer() const { return ImGui::GetIO().WantCaptureMouse; }

@@ -70,6 +70,13 @@ class Overlay {
   /// Returns the part of the picture that nothing covers.
   UiRectangle crowd_area() const;
 
+  /// Returns that part without the timeline of a recorded crowd, which lies over its foot.
+  UiRectangle free_area(const FrameReport& report) const;
+
+  /// Returns the width that a person dragged the column to, in pixels of a plain screen; 0: it has its usual one.
+  int panel_width() const;
+  void set_panel_width(int width);
+
   /// Returns whether the pointer belongs to the overlay, not to the camera.
   bool uses_pointer() const;
   /// Returns whether the keyboard belongs to the overlay, not to the camera.

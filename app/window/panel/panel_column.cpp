@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "app/window/panel/cards.h"
 
@@ -26,6 +28,27 @@ constexpr std::size_t tabs_in_a_row = 3;
 constexpr const char* nothing_found =
     "No value has all of these words in its name, its key or its explanation. Take a word away, or ask the help (F1) "
     "what the panel calls it. Values of the selected agent are found once one is selected.";
+
+// Tabs are of one width, unless a name has no room; then each has as much beside its name as the others.
+std::vector<float> widths_of(const Theme& theme, std::span<const Tab> row, float width) {
+  constexpr float least_room = 12;
+  const float equal = width / static_cast<float>(tabs_in_a_row);
+  float words = 0, longest = 0;
+  for (const Tab& tab : row) {
+    words += text_width(theme.regular, tab.name);
+    longest = std::max(longest, text_width(theme.regular, tab.name));
+  }
+  if (longest + theme.px(least_room) <= equal) return std::vector<float>(row.size(), equal);
+  std::vector<float> widths;
+  const float room = (width - words) / static_cast<float>(row.size());
+  for (const Tab& tab : row) widths.push_back(text_width(theme.regular, tab.name) + room);
+  return widths;
+}
+
+// "Messages (L)", or without its key.
+std::string header_word(const std::string& word, bool with_key) {
+  return with_key ? word : word.substr(0, word.find(" ("));
+}
 
 }  // namespace
 
@@ -68,24 +91,36 @@ void PanelColumn::begin(const Area& place, OverlaySwitches& switches) {
 }
 
 void PanelColumn::show_header(const Area& place, OverlaySwitches& switches) {
-  const float y = place.from.y + theme_.px(11);
-  draw_text(theme_.strong, {place.from.x + theme_.px(16), y}, colour::text, "Throng");
-  constexpr std::array words = {"Messages (L)", "Help (F1)", "Hide (Tab)"};
-  const float between = theme_.px(14);
-  float left = place.to.x - theme_.px(16) + between;
-  for (const char* const word : words) left -= text_width(theme_.small, word) + between;
-  const auto is_clicked = [&](const char* word) {
-    const Area area{.from = {left, place.from.y + theme_.px(6)},
-                    .to = {left + text_width(theme_.small, word), place.from.y + theme_.px(32)}};
-    const bool clicked = widgets_.clickable(std::string("header:") + word, area);
-    draw_text(theme_.small, {area.from.x, y + theme_.px(1)}, ImGui::IsItemHovered() ? colour::text : colour::faint,
-              word);
-    left = area.to.x + between;
+  constexpr std::array names = {"Messages (L)", "Help (F1)", "Hide (Tab)"};
+  const float margin = theme_.px(16), between = theme_.px(14);
+  const ImVec2 title(place.from.x + margin, place.from.y + theme_.px(11));
+  draw_text(theme_.strong, title, colour::text, "Throng");
+  const auto width_of_words = [&](bool with_keys) {
+    float width = margin - between;
+    for (const char* const name : names) width += text_width(theme_.small, header_word(name, with_keys)) + between;
+    return width;
+  };
+  const float room = place.to.x - title.x - text_width(theme_.strong, "Throng") - between;
+  const bool with_keys = width_of_words(true) <= room;
+  float left = place.to.x - width_of_words(with_keys);
+  const auto is_clicked = [&](const char* name) {
+    const float right = left + text_width(theme_.small, header_word(name, with_keys));
+    const bool clicked = show_header_word({.from = {left, title.y}, .to = {right, title.y}}, name, with_keys);
+    left = right + between;
     return clicked;
   };
-  if (is_clicked(words[0])) switches.log = !switches.log;
-  if (is_clicked(words[1])) switches.help = !switches.help;
-  if (is_clicked(words[2])) switches.hidden = true;
+  if (is_clicked(names[0])) switches.log = !switches.log;
+  if (is_clicked(names[1])) switches.help = !switches.help;
+  if (is_clicked(names[2])) switches.hidden = true;
+}
+
+bool PanelColumn::show_header_word(const Area& line, const char* name, bool with_key) {
+  const Area area{.from = {line.from.x, line.from.y - theme_.px(5)}, .to = {line.to.x, line.to.y + theme_.px(21)}};
+  const bool clicked = widgets_.clickable(std::string("header:") + name, area), hovered = ImGui::IsItemHovered();
+  draw_text(theme_.small, {line.from.x, line.from.y + theme_.px(1)}, hovered ? colour::text : colour::faint,
+            header_word(name, with_key));
+  if (hovered && !with_key) show_lines({name});
+  return clicked;
 }
 
 void PanelColumn::show_search_field(const Area& place, OverlaySwitches& switches) {
@@ -140,26 +175,34 @@ void PanelColumn::leave_search_for(const RowSearch::Place& place, OverlaySwitche
 }
 
 void PanelColumn::show_tab_bar(const Area& place, OverlaySwitches& switches) {
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const float width = (place.width() - theme_.px(16)) / static_cast<float>(tabs_in_a_row);
-  for (std::size_t i = 0; i < tabs.size(); ++i) {
-    const std::size_t row = i / tabs_in_a_row, place_in_row = i % tabs_in_a_row;
-    const ImVec2 from(place.from.x + theme_.px(8) + width * static_cast<float>(place_in_row),
-                      place.from.y + theme_.px(header_height + search_height + tab_height * static_cast<float>(row)));
-    const Area area{.from = from, .to = {from.x + width, from.y + theme_.px(tab_height)}};
-    const std::string name = tabs.at(i).name;
-    if (widgets_.clickable("tab:" + name, area)) {
-      tab_ = i;
-      switches.search.clear();
+  const float width = place.width() - theme_.px(16);
+  float top = place.from.y + theme_.px(header_height + search_height);
+  for (std::size_t first = 0; first < tabs.size(); first += tabs_in_a_row) {
+    const auto row = std::span(tabs).subspan(first, std::min(tabs_in_a_row, tabs.size() - first));
+    const std::vector<float> widths = widths_of(theme_, row, width);
+    float left = place.from.x + theme_.px(8);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      show_tab_name(first + i, {.from = {left, top}, .to = {left + widths[i], top + theme_.px(tab_height)}}, switches);
+      left += widths[i];
     }
-    const bool shown = i == tab_ && switches.search.empty(), hovered = ImGui::IsItemHovered();
-    draw_text(theme_.regular, {(area.from.x + area.to.x) / 2, from.y + theme_.px(5)},
-              shown || hovered ? colour::text : colour::dim, name, 0.5F);
-    draw.AddLine({area.from.x, area.to.y}, {area.to.x, area.to.y}, colour::grid);
-    if (!shown) continue;
-    draw.AddRectFilled({area.from.x + theme_.px(8), area.to.y - theme_.px(2)}, {area.to.x - theme_.px(8), area.to.y},
-                       colour::accent);
+    top += theme_.px(tab_height);
   }
+}
+
+void PanelColumn::show_tab_name(std::size_t tab, const Area& area, OverlaySwitches& switches) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const std::string name = tabs.at(tab).name;
+  if (widgets_.clickable("tab:" + name, area)) {
+    tab_ = tab;
+    switches.search.clear();
+  }
+  const bool shown = tab == tab_ && switches.search.empty(), hovered = ImGui::IsItemHovered();
+  draw_text(theme_.regular, {(area.from.x + area.to.x) / 2, area.from.y + theme_.px(5)},
+            shown || hovered ? colour::text : colour::dim, name, 0.5F);
+  draw.AddLine({area.from.x, area.to.y}, {area.to.x, area.to.y}, colour::grid);
+  if (!shown) return;
+  draw.AddRectFilled({area.from.x + theme_.px(8), area.to.y - theme_.px(2)}, {area.to.x - theme_.px(8), area.to.y},
+                     colour::accent);
 }
 
 template <class Show>

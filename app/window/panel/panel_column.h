@@ -27,8 +27,10 @@ class PanelColumn {
  private:
   void begin(const Area& place, OverlaySwitches& switches);
   void show_header(const Area& place, OverlaySwitches& switches);
+  bool show_header_word(const Area& line, const char* name, bool with_key);
   void show_search_field(const Area& place, OverlaySwitches& switches);
   void show_tab_bar(const Area& place, OverlaySwitches& switches);
+  void show_tab_name(std::size_t tab, const Area& area, OverlaySwitches& switches);
   void show_found(const TabContext& context, OverlaySwitches& switches);
   void change_tab(int further, OverlaySwitches& switches);
   void leave_search_for(const RowSearch::Place& place, OverlaySwitches& switches);

@@ -20,14 +20,15 @@ struct AnswerButton {
 
 constexpr std::array answer_buttons = std::to_array<AnswerButton>({
     {UnsavedAnswer::save, "Save (S)", "unsaved:save", Key::s, "Keeps all of it in a crowd file, then goes on."},
-    {UnsavedAnswer::leave, "Leave it (L)", "unsaved:leave", Key::l, "Goes on, and it is lost."},
+    {UnsavedAnswer::leave, "Leave unsaved (L)", "unsaved:leave", Key::l, "Goes on, and it is lost."},
     {UnsavedAnswer::stay, "Cancel (Esc)", "unsaved:stay", Key::escape, "Everything stays as it is."},
 });
 
 std::string question_about(const UnsavedReport& unsaved) {
   const std::string parts = joined(unsaved.parts, ", ", " and ");
-  const std::string next = unsaved.next.empty() ? "The window closes." : "Next is " + plain_text(unsaved.next) + ".";
-  return "No file has " + parts + ". " + next;
+  const std::string next =
+      unsaved.next.empty() ? "Then the window closes." : "Then " + plain_text(unsaved.next) + " is opened.";
+  return "Not saved yet: " + parts + ".\n" + next;
 }
 
 }  // namespace

@@ -77,8 +77,24 @@ void show_machine(const TabContext& context) {
 }
 
 using Cells = std::array<std::string, 8>;
-/// Right edges of the columns, in shares of the width.
-constexpr std::array<float, 8> column_ends = {0.05F, 0.15F, 0.27F, 0.45F, 0.58F, 0.72F, 0.87F, 1.0F};
+/// Columns of the table of PUs, with their right edges in shares of its width. A narrow table leaves some out.
+struct PuColumn {
+  const char* title;
+  float end, narrow_end;  // 0: it is left out
+};
+constexpr std::array<PuColumn, 8> pu_columns = {{{"PU", 0.05F, 0.07F},
+                                                 {"tiles", 0.15F, 0.22F},
+                                                 {"agents", 0.27F, 0},
+                                                 {"busy ms", 0.45F, 0.48F},
+                                                 {"in", 0.58F, 0.64F},
+                                                 {"out", 0.72F, 0.82F},
+                                                 {"transfers", 0.87F, 0},
+                                                 {"store", 1.0F, 1.0F}}};
+
+float end_of(const Theme& theme, const Area& row, std::size_t column) {
+  const bool narrow = is_narrow(theme, row.width());
+  return row.from.x + (narrow ? pu_columns.at(column).narrow_end : pu_columns.at(column).end) * row.width();
+}
 
 std::string as_kib(std::uint64_t bytes) {
   const double kib = static_cast<double>(bytes) / 1024;
@@ -87,13 +103,14 @@ std::string as_kib(std::uint64_t bytes) {
 
 void draw_cells(const Theme& theme, const Area& row, ImU32 ink, const Cells& cells) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    draw_text(theme.small, {row.from.x + column_ends.at(i) * row.width(), row.from.y}, ink, cells[i], 1);
+    const float end = end_of(theme, row, i);
+    if (end > row.from.x) draw_text(theme.small, {end, row.from.y}, ink, cells[i], 1);
   }
 }
 
 void draw_busy_bar(const Theme& theme, const Area& row, float busy_share) {
-  const float from = row.from.x + (column_ends[2] + 0.02F) * row.width(),
-              to = row.from.x + column_ends[3] * row.width();
+  const float before = std::max(end_of(theme, row, 1), end_of(theme, row, 2));
+  const float from = before + 0.02F * row.width(), to = end_of(theme, row, 3);
   const float y = row.to.y - theme.px(3), half = theme.px(1);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRectFilled({from, y - half}, {to, y + half}, colour::well_hovered);
@@ -128,8 +145,9 @@ void show_pu_table(const TabContext& context, std::span<const PuReport> pus, flo
     const float y = table.from.y + theme.px(pitch) * static_cast<float>(i);
     return Area{.from = {table.from.x, y}, .to = {table.to.x, y + theme.px(pitch)}};
   };
-  draw_cells(theme, row_at(0), colour::faint,
-             Cells{"PU", "tiles", "agents", "busy ms", "in", "out", "transfers", "store"});
+  Cells titles;
+  std::ranges::transform(pu_columns, titles.begin(), &PuColumn::title);
+  draw_cells(theme, row_at(0), colour::faint, titles);
   for (std::size_t i = 0; i < pus.size(); ++i) {
     const anim::PuActivity& pu = pus[i].activity;
     draw_busy_bar(theme, row_at(i + 1), static_cast<float>(pu.busy_ms) / std::max(update_ms, 1e-3F));

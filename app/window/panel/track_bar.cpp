@@ -260,6 +260,8 @@ void write_state(const Theme& theme, const Area& place, const ClockInHand& clock
 
 }  // namespace
 
+float height_of_track_bar(const Theme& theme) { return theme.px(bar_margin + track::height); }
+
 void show_track_bar(const TabContext& context, const Area& crowd) {
   Widgets& widgets = context.widgets;
   const Theme& theme = widgets.theme();

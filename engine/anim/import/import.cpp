@@ -7,19 +7,24 @@
 #include <utility>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "engine/anim/asset/morph_limits.h"
 #include "engine/anim/asset/skeleton_order.h"
 #include "engine/anim/import/animations.h"
 #include "engine/anim/import/bytes/refusal.h"
 #include "engine/anim/import/carried_meshes.h"
 #include "engine/anim/import/document.h"
+#include "engine/anim/import/json_document.h"
 #include "engine/anim/import/materials.h"
 #include "engine/anim/import/memory/memory_account.h"
 #include "engine/anim/import/meshes.h"
 #include "engine/anim/import/node_tree.h"
 #include "engine/anim/import/reach.h"
 #include "engine/anim/import/skeleton_builder.h"
+#include "engine/anim/import/source_file.h"
 #include "engine/anim/survey/bone_importance.h"
+#include "engine/base/files/input_file.h"
 #include "engine/base/text/plain_text.h"
 
 namespace throng::import {
@@ -124,6 +129,18 @@ Result<anim::ImportedFile> import_skins(const std::string& path, const ImportOpt
 
 Result<anim::ImportedFile> import_clips(const std::string& path, const ImportOptions& options) {
   return import_or_refuse(path, options, true);
+}
+
+bool holds_clips_alone(const std::string& path) {
+  const auto file = map_file(path, "a .glb or .gltf");
+  if (!file) return false;
+  try {
+    std::vector<std::string> repairs;
+    const nlohmann::json document = parse_json(split_file(file->bytes, path).json, repairs);
+    return array_of(document, "meshes").empty() && !array_of(document, "animations").empty();
+  } catch (const std::exception&) {
+    return false;
+  }
 }
 
 }  // namespace throng::import

@@ -35,4 +35,7 @@ Result<anim::ImportedFile> import_skins(const std::string& path, const ImportOpt
 /// where the file has no skin. Its bind pose is the rest pose. So a file that holds clips alone has a model.
 Result<anim::ImportedFile> import_clips(const std::string& path, const ImportOptions& options = {});
 
+/// Returns whether a model file has animations and no mesh, by its JSON alone. A file that cannot be read has none.
+bool holds_clips_alone(const std::string& path);
+
 }  // namespace throng::import

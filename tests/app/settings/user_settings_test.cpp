@@ -32,6 +32,7 @@ TEST_F(UserSettingsFile, GivesBackWhatWasWrittenAndMakesItsFolder) {
   const UserSettings settings{.quality = "medium",
                               .width = 800,
                               .height = 600,
+                              .panel_width = 420,
                               .recent_files = {"/crowds/a.throng"},
                               .output = {.picture_times = 3, .video_seconds = 2.5}};
   const std::filesystem::path file = folder_ / "throng" / "settings.json";
@@ -48,6 +49,7 @@ TEST_F(UserSettingsFile, ThatIsDamagedIsNamedWithTheRemedy) {
   EXPECT_THAT(complaint("{"), names_all(""));
   EXPECT_THAT(complaint(R"({"version": 1, "quality": "best"})"), names_all("\"quality\" must be low"));
   EXPECT_THAT(complaint(R"({"version": 1, "size": "0x600"})"), names_all("\"size\" must be WIDTHxHEIGHT"));
+  EXPECT_THAT(complaint(R"({"version": 1, "panel_width": -3})"), names_all("\"panel_width\" must be"));
   EXPECT_THAT(complaint(R"({"version": 1, "recent_files": "a"})"), names_all("\"recent_files\" must be an array"));
   EXPECT_THAT(complaint(R"({"version": 1, "picture_times": 5})"),
               names_all("\"picture_times\" must be a whole number"));

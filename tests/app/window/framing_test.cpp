@@ -132,6 +132,59 @@ TEST(Framing, FillsItWithAgentsOfSeventyNineMetres) {
   expect_framed(*show);
 }
 
+/// A window with people, one frame after another.
+class CrowdOfAnotherSize : public testing::Test {
+ protected:
+  void make_people(double times) { ASSERT_TRUE(show_->take(SetPlacement{0, {.scale = times}})); }
+  void frame() {
+    camera_.hand_over(*show_);
+    show_->animate(test::sixtieth);
+    camera_.take_back(*show_);
+  }
+
+  const std::unique_ptr<Show> show_ = test::show_of(test::demo("--agents 20"));
+  WindowCamera camera_{*show_};
+};
+
+TEST_F(CrowdOfAnotherSize, IsSeenWhole) {
+  const glm::ivec2 size(1280, 720);
+  const UiRectangle area = free_area(size);
+  show_->view().width = size.x;
+  show_->view().height = size.y;
+  camera_.see_beside(area, size, *show_);
+  for (const double times : {4.0, 1.0, 0.1}) {
+    camera_.put({.x = 1, .y = 90, .z = 3, .yaw = 100, .pitch = 70}, *show_);
+    frame();
+    make_people(times);
+    frame();
+    expect_filled(*show_, camera_.camera(), area, size);
+  }
+}
+
+TEST_F(CrowdOfAnotherSize, LeavesTheCameraWhereItIsAboutAsLargeOrThePersonPutsIt) {
+  frame();
+  const render::Camera before = camera_.camera();
+  make_people(1.05);
+  frame();
+  EXPECT_EQ(camera_.camera(), before);
+  const CameraPose place{.x = 1, .y = 2, .z = 3};
+  make_people(4.0);
+  camera_.put(place, *show_);
+  frame();
+  frame();
+  EXPECT_EQ(camera_.camera(), camera_at(place));
+}
+
+TEST_F(CrowdOfAnotherSize, LeavesACameraThatFollowsAnAgent) {
+  ASSERT_TRUE(show_->take(Select{3}));
+  camera_.take(ToggleFollow{}, *show_);
+  frame();
+  const render::Camera before = camera_.camera();
+  make_people(4.0);
+  camera_.hand_over(*show_);
+  EXPECT_EQ(camera_.camera(), before);
+}
+
 class CamerasOfARecordedCrowd : public test::TemporaryFolder {
  protected:
   /// People who walk along a street of 60 m, which is 20 m wide.
@@ -166,6 +219,15 @@ TEST_F(CamerasOfARecordedCrowd, SeeAllOfItBesideThePanel) {
     camera.take(GoHome{}, *show);
     expect_filled(*show, camera.camera(), free_area(size), size);
   }
+}
+
+TEST_F(CamerasOfARecordedCrowd, StayWhereOnlyTheBodiesOfPeopleChange) {
+  const auto show = recorded();
+  WindowCamera camera(*show);
+  const render::Camera before = camera.camera();
+  ASSERT_TRUE(show->take(SetPlacement{0, {.scale = 4}}));
+  camera.hand_over(*show);
+  EXPECT_EQ(camera.camera(), before);
 }
 
 TEST_F(CamerasOfARecordedCrowd, BeginBesideThePanelToo) {

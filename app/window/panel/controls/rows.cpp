@@ -13,6 +13,7 @@ namespace throng::app {
 namespace {
 
 constexpr float least_field_width = 64, field_gap = 8, longest_list = 300;
+constexpr float track_below = 17;   // the height of a line with a track alone
 constexpr float least_margins = 8;  // of a word in a line of them
 
 void draw_track(const Theme& theme, const Area& place, float knob_place, bool lively) {
@@ -79,9 +80,11 @@ bool Widgets::number(const char* label, double& value, double standard, const Nu
   if (is_left_out(label, help)) return false;
   const std::string standard_text = written(scale, standard);
   Row row = begin_row(label, written(scale, value) != standard_text, help, standard_text);
-  const float field_x = row.control.to.x - std::min(field_width(theme_, scale, value), 0.6F * row.control.width());
-  const Area track{.from = row.control.from, .to = {field_x - theme_.px(field_gap), row.control.to.y}};
+  const float most = row.is_narrow ? row.control.width() : 0.6F * row.control.width();
+  const float field_x = row.control.to.x - std::min(field_width(theme_, scale, value), most);
   const Area field{.from = {field_x, row.control.from.y + theme_.px(1)}, .to = row.control.to};
+  const Area beside{.from = row.control.from, .to = {field_x - theme_.px(field_gap), row.control.to.y}};
+  const Area track = row.is_narrow ? line_below(row, track_below) : beside;
   bool changed = drag_track(label, track, value, standard, scale);
   stop_at(row, label);
   if (const int steps = focus_.take_step()) {
@@ -169,10 +172,11 @@ bool Widgets::choose(const char* label, int& index, int standard, std::span<cons
   const Words all{words, why_not};
   const std::string standard_word = words[static_cast<std::size_t>(standard)];
   Row row = begin_row(label, index != standard, help, standard_word);
-  const bool is_wide = margins_of_words(theme_, row.control.width(), words) < theme_.px(least_margins);
+  const auto fit = [&](float width) { return margins_of_words(theme_, width, words) >= theme_.px(least_margins); };
+  const Area room = fit(row.control.width()) ? row.control : room_for_words(row);
+  const bool is_wide = !fit(room.width());
   const int last_in_line = is_wide ? last / 2 : last;
-  Area line{.from = {row.control.from.x, row.control.from.y + theme_.px(1)},
-            .to = {row.control.to.x, row.control.to.y - theme_.px(2)}};
+  Area line{.from = {room.from.x, room.from.y + theme_.px(1)}, .to = {room.to.x, room.to.y - theme_.px(2)}};
   choose_in_line(label, line, all, 0, last_in_line, index);
   if (is_wide) {
     const float down = line.to.y - line.from.y + theme_.px(2);
@@ -239,7 +243,7 @@ bool Widgets::pick(const char* label, int& index, int standard, std::span<const 
   const int before = index;
   const std::string standard_word = word_of(standard, words, none);
   Row row = begin_row(label, index != standard, help, standard_word);
-  Area place = row.control;
+  Area place = room_for_words(row);
   place.from.y += theme_.px(1);
   place.to.y -= theme_.px(2);
   const bool clicked = pressable(label, place), hovered = ImGui::IsItemHovered();
@@ -280,7 +284,8 @@ void Widgets::show_list(const char* label, int& index, std::span<const std::stri
 bool Widgets::text(const char* label, std::string& value, const char* hint, const Help& help) {
   if (is_left_out(label, help)) return false;
   Row row = begin_row(label, false, help, "");
-  const Area field{.from = {row.control.from.x, row.control.from.y + theme_.px(1)}, .to = row.control.to};
+  const Area room = room_for_words(row);
+  const Area field{.from = {room.from.x, room.from.y + theme_.px(1)}, .to = room.to};
   const bool changed = text_field(std::string(label) + ".field", value, hint, field);
   end_row(row);
   return changed;

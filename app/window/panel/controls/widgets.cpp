@@ -10,6 +10,7 @@
 namespace throng::app {
 namespace {
 
+constexpr float narrow_row = 300;  // a row that is not so wide has its control below its label
 constexpr float row_height = 25, label_width = 122, label_gap = 8, reset_width = 20, tooltip_width = 290;
 constexpr float most_of_a_fact = 0.6F;  // of its width, that its name takes
 constexpr float seconds_until_help = 0.5F;
@@ -48,14 +49,17 @@ void draw_fold_sign(const Theme& theme, ImVec2 middle, bool is_folded, ImU32 ink
   draw.AddLine({middle.x, middle.y + way * arm / 2}, {middle.x + arm, middle.y - way * arm / 2}, ink, theme.px(1.5F));
 }
 
+bool is_narrow(const Theme& theme, float width) { return width < theme.px(narrow_row); }
+
 ButtonRow::ButtonRow(Widgets& widgets, int count)
     : widgets_(widgets),
-      width_((ImGui::GetContentRegionAvail().x - static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x) /
-             static_cast<float>(count)) {}
+      in_a_line_(is_narrow(widgets.theme(), ImGui::GetContentRegionAvail().x) ? std::min(count, 2) : count),
+      width_((ImGui::GetContentRegionAvail().x - static_cast<float>(in_a_line_ - 1) * ImGui::GetStyle().ItemSpacing.x) /
+             static_cast<float>(in_a_line_)) {}
 
 void ButtonRow::go_right() {
-  if (begun_) ImGui::SameLine();
-  begun_ = true;
+  if (shown_ % in_a_line_ != 0) ImGui::SameLine();
+  ++shown_;
 }
 
 bool ButtonRow::marked_button(const char* words, const std::string& name, const Help& help, bool marked) {
@@ -250,7 +254,8 @@ Widgets::Row Widgets::begin_row(const char* label, bool changed, const Help& hel
           .standard = standard,
           .all = rectangle(from, {right, bottom}),
           .control = rectangle({words.to.x, from.y}, {right - theme_.px(reset_width), bottom}),
-          .changed = changed};
+          .changed = changed,
+          .is_narrow = app::is_narrow(theme_, right - from.x)};
   ImGui::PushID(label);
   hoverable(std::string(label) + ".label", words);
   row.reset = changed && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
@@ -266,6 +271,16 @@ Widgets::Row Widgets::begin_row(const char* label, bool changed, const Help& hel
             fitted(theme_.regular, words.width() - theme_.px(label_gap), label));
   return row;
 }
+
+// Adds a line to a row, as wide as label and control.
+Area Widgets::line_below(Row& row, float height) const {
+  const Area line = rectangle({row.all.from.x, row.all.to.y}, {row.control.to.x, row.all.to.y + theme_.px(height)});
+  row.all.to.y = row.control.to.y = line.to.y;
+  row.control.hovered |= line.hovered;
+  return line;
+}
+
+Area Widgets::room_for_words(Row& row) const { return row.is_narrow ? line_below(row, row_height) : row.control; }
 
 void Widgets::stop_at(Row& row, const std::string& name) {
   if (!focus_.has_keys()) return;

@@ -36,6 +36,9 @@ struct Area {
   [[nodiscard]] float height() const { return to.y - from.y; }
 };
 
+/// Returns whether a control beside its label would have no room in that width.
+bool is_narrow(const Theme& theme, float width);
+
 /// The rows of the tabs: a label, a control, and a way back to the default. Each row looks the same, shows its help
 /// when the pointer rests on it, marks a value that is not the default, and notes its rectangles in the map.
 class Widgets {
@@ -126,6 +129,7 @@ class Widgets {
     bool changed = false;   ///< it is not the default
     bool reset = false;     ///< asked for in this frame, by the arrow, a double click on the label or a key
     bool explains = false;  ///< the keyboard rests on it
+    bool is_narrow = false;
   };
 
   /// The words of a choice, with the reasons why some cannot be chosen.
@@ -147,6 +151,8 @@ class Widgets {
   void draw_title(const std::string& title, float free_at_the_right) const;
   void show_found_place(const RowSearch::Place& place);
   Row begin_row(const char* label, bool changed, const Help& help, const std::string& standard);
+  [[nodiscard]] Area line_below(Row& row, float height) const;
+  [[nodiscard]] Area room_for_words(Row& row) const;
   void stop_at(Row& row, const std::string& name);
   /// Returns whether the value has to go back to its default.
   bool end_row(Row& row);
@@ -168,7 +174,7 @@ class Widgets {
   ImGuiID held_after_reset_ = 0;        ///< the track that a double click reset, until the button is let go
 };
 
-/// Buttons of equal width, side by side over all of the width that is left.
+/// Buttons of equal width, side by side over all of the width that is left; two in a line where that is narrow.
 class ButtonRow {
  public:
   ButtonRow(Widgets& widgets, int count);
@@ -186,8 +192,9 @@ class ButtonRow {
   void go_right();
 
   Widgets& widgets_;
+  int in_a_line_;
   float width_;
-  bool begun_ = false;
+  int shown_ = 0;
 };
 
 /// Shows one button over all of the width that is left.

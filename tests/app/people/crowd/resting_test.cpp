@@ -97,5 +97,23 @@ TEST(Resting, IsOnlyForThoseWhoCan) {
   EXPECT_EQ(how_many(crowd, Habit::sit_low), 0U);
 }
 
+// Seats grow with the distances, so a wide body would sit in the air before them, and a tiny one inside of them.
+TEST(Resting, IsOnlyForBodiesOfTheSizeOfTheSeats) {
+  CharacterRoles wide = person_who_rests(), tiny = person_who_rests();
+  wide.height = 2.4, wide.radius = 1.3;
+  tiny.height = 0.5, tiny.radius = 0.1;
+  for (const CharacterRoles& roles : {wide, tiny}) {
+    const Crowd crowd(Scene::plaza, 300, 1, std::span(&roles, 1), {.bodies = true});
+    const std::vector<Obstacle> obstacles = plaza_layout(300, 1, roles).obstacles;
+    EXPECT_EQ(how_many(crowd, Habit::rest) + how_many(crowd, Habit::sit_low) + how_many(crowd, Habit::lean), 0U);
+    for (const glm::vec3& place : crowd.positions()) {
+      EXPECT_EQ(place.y, 0.0F) << "on the plinth of a fountain";
+      for (const Obstacle& obstacle : obstacles) {
+        EXPECT_GT(glm::distance(obstacle.position, glm::dvec2(place.x, place.z)), obstacle.radius);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace throng::app::resting_test

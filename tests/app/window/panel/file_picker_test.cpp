@@ -77,6 +77,24 @@ TEST_F(PickedFile, IsWalkedToByKeys) {
   EXPECT_THAT(asked<OpenFiles>(driver.press(Key::enter)).files, ElementsAre(path("fox.glb")));
 }
 
+TEST_F(PickedFile, LiesInTheFolderOfAPathThatIsTyped) {
+  press_control(Key::o);
+  driver.type(path("models/wo"));
+  driver.frames();
+  EXPECT_TRUE(driver.sees("picker:wolf.glb"));
+  EXPECT_FALSE(driver.sees("picker:fox.glb")) << "that is another folder";
+  EXPECT_THAT(asked<OpenFiles>(driver.press(Key::enter)).files, ElementsAre(path("models/wolf.glb")));
+}
+
+TEST_F(PickedFile, IsReachedUpwardsFromTheWorkingFolder) {
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder_ / "models");
+  press_control(Key::o);
+  driver.click("picker:..");
+  EXPECT_TRUE(driver.sees("picker:fox.glb"));
+  std::filesystem::current_path(before);
+}
+
 TEST_F(PickedFile, MayBeOneOfBefore) {
   driver.report.recent_files = {path("models/wolf.glb")};
   press_control(Key::o);

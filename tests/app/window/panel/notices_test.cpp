@@ -89,6 +89,48 @@ TEST(Notices, EachWarningStaysUntilItIsClosed) {
   EXPECT_TRUE(driver.sees("warning:0")) << "another warning is another thing";
 }
 
+class ManyWarnings : public testing::Test {
+ protected:
+  ManyWarnings() {
+    driver_.report.notice = "the device";
+    driver_.frames();
+    for (int file = 0; file < 12; ++file) driver_.report.notice += "\nmodel " + std::to_string(file);
+    driver_.frames();
+  }
+  OverlayDriver driver_;
+};
+
+TEST_F(ManyWarnings, ThatComeAtOnceShareALineBesideEarlierOnes) {
+  EXPECT_TRUE(driver_.sees("warning:0"));
+  EXPECT_FALSE(driver_.sees("warning:1"));
+  EXPECT_TRUE(driver_.sees("remarks"));
+  EXPECT_FALSE(driver_.sees("Remarks"));
+  driver_.report.notice += "\nmemory ran out";
+  driver_.frames();
+  EXPECT_TRUE(driver_.sees("warning:1")) << "a later one is not hidden among them";
+}
+
+TEST_F(ManyWarnings, AreListedByAClickWithinTwoFifthsOfTheCrowd) {
+  driver_.click("remarks");
+  ASSERT_TRUE(driver_.sees("Remarks"));
+  const UiRectangle list = *driver_.find("Remarks"), crowd = driver_.overlay.crowd_area();
+  EXPECT_LE(list.width * list.height, 0.4F * crowd.width * crowd.height);
+  driver_.click("remarks");
+  EXPECT_FALSE(driver_.sees("Remarks"));
+  driver_.click("remarks");
+  driver_.click("Remarks.close");
+  EXPECT_FALSE(driver_.sees("Remarks"));
+  EXPECT_TRUE(driver_.sees("remarks")) << "they are only folded";
+}
+
+TEST_F(ManyWarnings, AreClosedTogether) {
+  driver_.click("remarks");
+  driver_.click("remarks:close");
+  EXPECT_FALSE(driver_.sees("Remarks"));
+  EXPECT_FALSE(driver_.sees("remarks"));
+  EXPECT_TRUE(driver_.sees("warning:0")) << "the one of before is none of them";
+}
+
 TEST(Notices, AMessageThatWasClosedIsInTheLog) {
   OverlayDriver driver;
   driver.report.messages.say("Wrote throng-1.png");

@@ -102,7 +102,6 @@ FrameReport full_report() {
   report.characters = {"mannequin (built in)"};
   report.has_built_in_cast = true;
   report.notice = "A line worth reading.";
-  report.jobs = {{.job = SideJob::loading, .words = "Knight.glb: clip 26 of 76", .share = 0.3}};
   report.agents = 1000;
   report.visible = report.drawn = 600;
   report.frame_ms_history.assign(240, 15);

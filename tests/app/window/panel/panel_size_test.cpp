@@ -55,6 +55,45 @@ TEST_F(PanelSize, IsDraggedAtItsEdgeAndADoubleClickTakesThatBack) {
   EXPECT_EQ(crowd_width(), usual);
 }
 
+TEST_F(PanelSize, IsTakenFromALastTimeAndToldForTheNext) {
+  driver.overlay.set_panel_width(500);
+  driver.frames();
+  EXPECT_EQ(crowd_width(), OverlayDriver::width - 500);
+  EXPECT_EQ(driver.overlay.panel_width(), 500);
+  drag_edge(700);
+  EXPECT_NEAR(driver.overlay.panel_width(), OverlayDriver::width - 700, 1);
+  driver.double_click("panel edge");
+  EXPECT_EQ(driver.overlay.panel_width(), 0) << "it is as usual";
+}
+
+TEST_F(PanelSize, LeavesRoomForEveryControlWhereItIsNarrow) {
+  constexpr float narrow = 266;
+  driver.frames();
+  const float usual_track = driver.find("Agents")->width;
+  driver.overlay.set_panel_width(narrow);
+  driver.frames();
+  EXPECT_GT(driver.find("Agents")->width, usual_track) << "a track lies below its label";
+  EXPECT_GT(driver.find("Agents")->y, driver.find("Agents.field")->y);
+  const UiRectangle plaza = *driver.find("Scene:plaza"), parade = *driver.find("Scene:parade");
+  EXPECT_GT(plaza.width, 45) << "the word and a margin";
+  EXPECT_FLOAT_EQ(plaza.y, parade.y);
+  EXPECT_GT(plaza.y, driver.find("Scene.label")->y + 20) << "words that have no room beside their label lie below it";
+  EXPECT_LE(driver.find("Clothes:own")->y, driver.find("Clothes.label")->y + 2) << "two short words have room";
+  const UiRectangle skipping = *driver.find("tab:LOD skipping"), bones = *driver.find("tab:Per-bone LOD");
+  EXPECT_GT(skipping.width, 78);
+  EXPECT_GT(bones.width, 82);
+}
+
+TEST_F(PanelSize, LeavesKeysOutOfItsHeaderWhereItIsNarrow) {
+  driver.frames();
+  const float usual = driver.find("header:Messages (L)")->width;
+  driver.overlay.set_panel_width(266);
+  driver.frames();
+  EXPECT_LT(driver.find("header:Messages (L)")->width, usual);
+  driver.click("header:Messages (L)");
+  EXPECT_TRUE(driver.sees("Messages"));
+}
+
 TEST_F(PanelSize, FollowsTheDisplay) {
   const float usual = crowd_width();
   EXPECT_FALSE(driver.overlay.set_scale(1)) << "it has that scale";

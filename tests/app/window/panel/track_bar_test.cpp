@@ -51,6 +51,18 @@ TEST_F(TrackBar, IsThereOnlyWithARecordedCrowd) {
   EXPECT_FALSE(asks<Seek>(person_.press(Key::left)));
 }
 
+TEST_F(TrackBar, IsNoPartOfThePictureThatCamerasUse) {
+  const UiRectangle crowd = person_.overlay.crowd_area(), free = person_.overlay.free_area(person_.report);
+  const UiRectangle bar = *person_.find("Tracks");
+  EXPECT_LE(free.y + free.height, bar.y);
+  EXPECT_EQ(free.width, crowd.width);
+  person_.overlay.set_hidden(true);
+  EXPECT_EQ(person_.overlay.free_area(person_.report).height, OverlayDriver::height);
+  person_.overlay.set_hidden(false);
+  person_.report.tracks.reset();
+  EXPECT_EQ(person_.overlay.free_area(person_.report).height, crowd.height);
+}
+
 TEST_F(TrackBar, GoesToTheTimeThatIsPressedAndAlongWithADrag) {
   person_.click("Tracks.track");
   EXPECT_NEAR(clock().seconds, 50.0, 0.2);

@@ -13,7 +13,7 @@ void Loading::begin(LoadPlan plan, Then then, std::string file) {
   name_ = file_name(file.empty() ? plan.name() : file);
   file_ = std::move(file);
   then_ = std::move(then);
-  plan_ = std::make_shared<Plan>(std::move(plan));
+  plan_ = std::make_shared<Plan>(Plan{std::move(plan), {}});
   work_ = std::make_unique<SideWork>(
       [shared = plan_](const LoadProgress& progress) { shared->loaded = load(shared->plan, progress); });
 }

@@ -1,5 +1,7 @@
 #include "app/window/start_screen.h"
 
+#include <optional>
+
 #include "app/files/data_folder.h"
 #include "app/show/painter.h"
 #include "app/window/panel/overlay.h"
@@ -10,6 +12,7 @@ namespace throng::app {
 namespace {
 
 constexpr double seconds_a_frame = 0.04;
+constexpr double seconds_unseen = 0.15, seconds_a_look = 0.01;  // a start that is over by then shows nothing
 
 class StartScreen {
  public:
@@ -46,12 +49,17 @@ class StartScreen {
 
 Result<bool> show_start(Painter& painter, const DemoOptions& options, const SideWork::Work& work) {
   SideWork side(work);
-  StartScreen screen(painter, options);
-  if (const Status prepared = screen.prepare(); !prepared) return prepared.error();
-  while (true) {
-    if (const Status drawn = screen.draw(side.progress()); !drawn) return drawn.error();
-    if (screen.is_given_up()) return false;
-    if (side.has_ended()) break;
+  for (double seconds = 0; !side.has_ended() && seconds < seconds_unseen; seconds += seconds_a_look) {
+    WindowInput::wait(seconds_a_look);
+  }
+  std::optional<StartScreen> screen;
+  while (!side.has_ended()) {
+    if (!screen) {
+      screen.emplace(painter, options);
+      if (const Status prepared = screen->prepare(); !prepared) return prepared.error();
+    }
+    if (const Status drawn = screen->draw(side.progress()); !drawn) return drawn.error();
+    if (screen->is_given_up()) return false;
     WindowInput::wait(seconds_a_frame);
   }
   if (!side.outcome()) return side.outcome().error();

@@ -12,7 +12,7 @@ namespace throng::app {
 namespace {
 
 constexpr double seconds_a_frame = 0.04;
-constexpr double seconds_unseen = 0.15, seconds_a_look = 0.01;  // a start that is over by then shows nothing
+constexpr double seconds_unseen = 0.25, seconds_a_look = 0.01;  // a start that is over by then shows nothing
 
 class StartScreen {
  public:

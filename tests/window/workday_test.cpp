@@ -28,8 +28,12 @@ class Workday : public WindowDriver, public testing::WithParamInterface<Desk> {
  protected:
   static constexpr int frames = 30;
 
+  /// The picture keeps its cost, and no limit of triangles adds to the error.
   std::vector<std::string> options() const override {
-    return {"--agents", "40", "--size", size_words(GetParam().screen), "--ui-scale", GetParam().scale};
+    return {"--agents",   "40",
+            "--size",     size_words(GetParam().screen),
+            "--ui-scale", GetParam().scale,
+            "--set",      "holds_rate=off,triangle_budget=0"};
   }
   glm::ivec2 screen() const override { return GetParam().screen; }
 

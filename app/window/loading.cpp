@@ -1,16 +1,16 @@
 #include "app/window/loading.h"
 
+#include <filesystem>
 #include <utility>
 
 #include "app/show/show.h"
-#include "app/window/panel/controls/words.h"
 
 namespace throng::app {
 
 void Loading::begin(LoadPlan plan, Then then, std::string file) {
   if (plan.is_empty()) return then(nullptr);
   if (goes_on()) cancel();
-  name_ = file_name(file.empty() ? plan.name() : file);
+  name_ = std::filesystem::path(file.empty() ? plan.name() : file).filename().string();
   file_ = std::move(file);
   then_ = std::move(then);
   plan_ = std::make_shared<Plan>(Plan{std::move(plan), {}});

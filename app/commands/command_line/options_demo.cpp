@@ -83,8 +83,7 @@ void declare_picture(OptionReader& reader, DemoOptions& options) {
             "What the colours mean, the time and the number of people, in pictures of a headless run")
       ->excludes(ui);
   reader.flag("--no-settings", options.no_settings,
-              "A window that neither starts with quality, size and recent files of the last one nor leaves its own to "
-              "the next");
+              "A window that neither starts with the settings of the last one nor leaves its own to the next");
   reader.value("--ui-scale", "X", "Size of the overlay, 0.5 to 4 (1)", number_between(options.ui_scale, 0.5, 4));
   reader.value(
       "--select", "AGENT", "The agent that is selected at first, counted from 0",

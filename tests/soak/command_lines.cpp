@@ -193,6 +193,8 @@ const std::vector<Option>& other_options() {
       {"--draw", 0.3F, word_of({"last", "all", "none"})},
       {"--frames", 1.0F, any_frames},
       {"--dt", 0.3F, any_seconds},
+      {"--after", 0.1F, word_of({"0", "0.3", "1.5"})},
+      {"--progress", 0.1F, text("")},
       {"--replay", 0.0F, text("run.rec")},
       {"--video", 0.0F, text("run.mp4")},
       {"--fps-out", 0.0F, text("30")},

@@ -119,10 +119,12 @@ struct Tuning {
   float density_cut_off = 1.0F;  ///< metres that a person's own ground reaches at most
   float trail_seconds = 0.0F;    ///< a recorded crowd's ways of so many seconds are drawn; 0: none
   bool bones_as_lines = false;
-  bool scenery = true;       ///< what stands around the crowd
-  int picture_size = 100;    ///< per cent of a window's width and height in which the scene is drawn, 25 to 100
-  bool holds_rate = false;   ///< a window gives up size, triangles and shadows to show `frame_rate` frames a second
-  float frame_rate = 30.0F;  ///< frames a second, 5 to 240
+  bool scenery = true;        ///< what stands around the crowd
+  int picture_size = 100;     ///< per cent of a window's width and height in which the scene is drawn, 25 to 100
+  bool holds_rate = false;    ///< a window gives up size, triangles and shadows to show `frame_rate` frames a second
+  float frame_rate = 30.0F;   ///< frames a second, 5 to 240
+  int frame_limit = 0;        ///< frames a second that a window shows at most; 0: no limit
+  bool vertical_sync = true;  ///< a window shows a frame when the display is refreshed
   TakenAway taken_away{};
 
   friend bool operator==(const Tuning&, const Tuning&) = default;

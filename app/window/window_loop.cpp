@@ -12,6 +12,7 @@
 #include "app/show/request/crowd_file.h"
 #include "app/show/show.h"
 #include "app/show/show_view.h"
+#include "app/window/frame_pace.h"
 #include "app/window/full_screen.h"
 #include "app/window/panel/overlay.h"
 #include "app/window/stop_signals.h"
@@ -90,7 +91,7 @@ class WindowLoop {
     FrameReporter& reporter = session_.reporter;
     wait_where_nothing_happens();
     const Clock::time_point now = Clock::now();
-    const double seconds = std::min(std::chrono::duration<double>(now - last_frame_).count(), longest_step);
+    const double seconds = std::min(std::chrono::duration<double>(now - last_frame_).count(), longest_time());
     last_frame_ = now;
     picture_.fit_to_window(session_.input.is_out_of_sight());
     picture_.scale(overlay_, panel_scale());
@@ -123,6 +124,7 @@ class WindowLoop {
     failed_ = picture_.present(overlay_, is_used(input));
     requests_.take_after_drawing(requests);
     picture_.build_saved_shaders(now);
+    pace_.end_frame(now, session_.editor.tuning());
     const double frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - now).count();
     const auto work = picture_.drawn_at() - now;
     if (picture_.is_seen())
@@ -132,6 +134,12 @@ class WindowLoop {
     reporter.messages().report(show.recorder().outcome());
     const bool leaves_replay = replay_ && last_of<Quit>(requests) != nullptr;
     done_ = !failed_ || leaves_replay || requests_.closes() || asked_to_stop() != 0;
+  }
+
+  // A limit of few frames a second does not slow the crowd down.
+  double longest_time() const {
+    return std::max(longest_step,
+                    2.0 * std::chrono::duration<double>(FramePace::least_time(session_.editor.tuning())).count());
   }
 
   bool stands_still() const {
@@ -194,6 +202,7 @@ class WindowLoop {
   Overlay overlay_;
   WindowRequests requests_{session_, overlay_};
   WindowPicture picture_{session_.show, session_.messages()};
+  FramePace pace_;
   FullScreen full_screen_{session_.show.painter().context().window()};
   Clock::time_point last_frame_ = Clock::now();
   Status failed_ = Done{};

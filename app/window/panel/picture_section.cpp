@@ -38,6 +38,11 @@ void show_quality(const TabContext& context) {
   context.row("holds_rate", {.what = "Gives up shadows, triangles and picture size while frames take too long, and "
                                      "takes them back where there is time. What you set by hand stays."});
   context.row("frame_rate", {.what = "The frames a second that are held.", .unit = "5 to 240"});
+  context.row("frame_limit",
+              {.what = "Shows no more frames a second than these, which spares battery and fan.", .unit = "0 to 240"});
+  context.row("vertical_sync", {.what = "Shows a frame when the display is refreshed, so that no picture is torn. Off "
+                                        "shows each frame at once.",
+                                .cost = "A frame waits for the next refresh."});
   if (!report.given_up.empty()) widgets.caption(report.given_up);
   if (report.rate_advice.empty()) return;
   widgets.caption(report.rate_advice);

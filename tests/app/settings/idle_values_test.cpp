@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -92,6 +93,9 @@ const std::map<std::string_view, std::string> other_values{
     {"cost_post_process_ns", "90000"},
     {"cost_least_task_ns", "900000000"},
 };
+
+/// A window alone takes these; no crowd sees them.
+const std::set<std::string_view> of_windows{"picture_size", "holds_rate", "frame_rate", "frame_limit", "vertical_sync"};
 
 std::vector<CharacterSource> mannequin() {
   static const CharacterSource loaded = *load_built_in("", {.wardrobe = true});
@@ -215,8 +219,7 @@ void expect_effects_as_said(const Tuning& tuning, const Situation& situation, co
   ASSERT_EQ(before.refusal(), "") << where;
   for (const TuningValue& value : tuning_values()) {
     if (value.key == "cost_blender_packet_ns") continue;  // nobody blends so soon
-    // A window alone takes these; no crowd sees them.
-    if (value.key == "picture_size" || value.key == "holds_rate" || value.key == "frame_rate") continue;
+    if (of_windows.contains(value.key)) continue;
     // Nor is anybody so far away that the error limit would drop bones.
     if (value.key == "bone_lod" && tuning.lod.rule == LodRule::budget) continue;
     const auto other = other_values.find(value.key);

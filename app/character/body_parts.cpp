@@ -41,9 +41,7 @@ void take_parts_back(anim::Skeleton& skeleton) {
 
 /// Returns the map of the skeleton where a person says nothing about `part`.
 anim::RigMap map_without(const CharacterSource& source, std::span<const std::string> keys, RigPart part) {
-  anim::Skeleton skeleton = source.model.skeleton;
-  take_parts_back(skeleton);
-  give_parts(source.parts_in_file, keys, skeleton);
+  anim::Skeleton skeleton = skeleton_in_file(source);
   std::vector<RigChoice> others = source.rig;
   std::erase_if(others, [&](const RigChoice& choice) { return choice.role == part; });
   give_parts(others, keys, skeleton);
@@ -96,6 +94,13 @@ void put_over(std::span<const RigChoice> choices, std::span<const std::string> k
 }
 
 }  // namespace
+
+anim::Skeleton skeleton_in_file(const CharacterSource& source) {
+  anim::Skeleton skeleton = source.model.skeleton;
+  take_parts_back(skeleton);
+  give_parts(source.parts_in_file, bone_keys(skeleton), skeleton);
+  return skeleton;
+}
 
 BodyParts body_parts(const CharacterSource& source, const anim::CharacterRigs& rigs) {
   const anim::Skeleton& skeleton = source.model.skeleton;

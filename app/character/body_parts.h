@@ -11,7 +11,8 @@
 
 namespace throng::anim {
 class CharacterRigs;
-}
+struct Skeleton;
+}  // namespace throng::anim
 
 namespace throng::app {
 
@@ -28,6 +29,10 @@ struct BodyParts {
   std::optional<anim::BodyRole> refused;  ///< the part that a person asked for last, in vain
   std::string refusal;                    ///< why
 };
+
+/// Returns the skeleton with the parts that its file names, without a person's choices. A surface is built for it, so a
+/// choice changes no mesh.
+anim::Skeleton skeleton_in_file(const CharacterSource& source);
 
 /// `rigs` are the rigs of the character as it is.
 BodyParts body_parts(const CharacterSource& source, const anim::CharacterRigs& rigs);

@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/character/body_parts.h"
 #include "app/character/drawn_import.h"
 #include "app/character/packed.h"
 #include "app/character/role_table.h"
@@ -261,7 +262,7 @@ render::CrowdMeshData mesh_data(const CharacterSource& source) {
   data.morph_deltas = morph_deltas(model.meshes);
   data.body_size = size_of_body(source.roles);
   if (!data.packed_surface.empty()) return data;
-  data.face_entries = face_entries(model.skeleton);
+  data.face_entries = face_entries(skeleton_in_file(source));
   data.poses = posed_palettes(model);
   data.bone_ends = bone_ends(model.skeleton);
   return data;

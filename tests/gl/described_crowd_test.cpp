@@ -126,7 +126,7 @@ TEST_P(WhatIsOpen, ComesBackByFileByDropAndByTheCopiedCommandLine) {
   const auto& kept = GetParam().kept_by_the_window;
   auto show = begun_as(GetParam());
   ASSERT_NE(show, nullptr);
-  Shown open = shown_by(*show, kept);
+  const Shown open = shown_by(*show, kept);
   ASSERT_TRUE(write_crowd_file(file_, open.setup));
   const auto read = read_crowd_file(file_);
   ASSERT_TRUE(read) << read.error().message;
@@ -136,11 +136,6 @@ TEST_P(WhatIsOpen, ComesBackByFileByDropAndByTheCopiedCommandLine) {
   EXPECT_EQ(said == nullptr ? TuningPair() : said->pair, open.setup.pair);
   EXPECT_EQ(said == nullptr ? CameraBookmarks() : said->bookmarks, open.setup.bookmarks);
 
-  if (GetParam().is_seen_anew) {
-    show.reset();
-    show = show_of({file_});
-    open.pictures = pictures_of(*show);
-  }
   drop(*read, file_, *show);
   expect_same(shown_by(*show, kept), open, "drop");
   for (const auto& [way, words] : {std::pair(std::string("file"), Words{file_}), std::pair(open.command, pasted)}) {

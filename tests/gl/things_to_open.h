@@ -30,7 +30,6 @@ struct Kind {
   Words begun_with;
   std::function<std::vector<CrowdRequest>(const Stage&)> asked = {};
   std::function<void(CrowdSetup&)> kept_by_the_window = {};
-  bool is_seen_anew = false;  ///< a crowd that was asked while it was shown looks another way than one that begins so
 };
 
 void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
@@ -171,8 +170,7 @@ std::vector<Kind> all_kinds() {
       {"Roles", agents, other_roles},
       {"RolesOfOneOfTwo", agents + Words{man, two}, other_roles},
       {"OrderOfBones", agents, other_bones},
-      // Parts of the body that change live leave sizes and meshes as the file was loaded.
-      {"PartsOfTheBody", agents + Words{man}, other_body, {}, true},
+      {"PartsOfTheBody", agents + Words{man}, other_body},
       {"Placement", agents + Words{man}, other_placement},
       {"PlacementOfTheBuiltInCharacterBesideTracks", tracks(), other_placement},
       {"LentClips", agents + Words{man, "--clips-from", "@models/clips of others.glb"}},

@@ -22,6 +22,8 @@ struct ModelPlacement {
 
 /// Takes the progress of loading: the share that is done, 0 to 1, and what comes now. One thread calls it at a time.
 using LoadProgress = std::function<void(double share, const std::string& what)>;
+/// Work that takes long. It calls the progress that it is given as often as it may end.
+using LongWork = std::function<void(const LoadProgress& progress)>;
 
 /// Says how the files of characters are read.
 struct LoadOptions {

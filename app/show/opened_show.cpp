@@ -128,7 +128,7 @@ bool begin_viewing(Show& show, const std::string& clip, StartError& error) {
 
 }  // namespace
 
-Result<bool> start_at_once(Painter& /*painter*/, const std::function<void(const LoadProgress&)>& work) {
+Result<bool> start_at_once(Painter& /*painter*/, const LongWork& work) {
   work([](double, const std::string&) {});
   return true;
 }

@@ -212,7 +212,7 @@ Result<std::unique_ptr<LiveTracks>> open_live_input(const DemoOptions& options) 
 /// Returns how the start of a run does its work: in a window beside its picture.
 StartWork start_of(const DemoOptions& options) {
   if (options.context != ContextKind::window) return start_at_once;
-  return [&options](Painter& painter, const SideWork::Work& work) { return show_start(painter, options, work); };
+  return [&options](Painter& painter, const LongWork& work) { return show_start(painter, options, work); };
 }
 
 int exit_of_ended_run() { return asked_to_stop() == 0 ? static_cast<int>(exit_done) : exit_of_signal(asked_to_stop()); }

@@ -7,7 +7,7 @@
 
 namespace throng::app {
 
-SideWork::SideWork(Work work) : work_(std::move(work)) {
+SideWork::SideWork(LongWork work) : work_(std::move(work)) {
   try {
     thread_ = std::thread([this] { run(); });
   } catch (const std::system_error&) {

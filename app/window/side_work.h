@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -19,10 +18,8 @@ class SideWork {
     double share = 0;  ///< that is done, 0 to 1
     std::string what;  ///< what comes now; empty: it has not said anything yet
   };
-  /// Calls the progress that it is given as often as it may end.
-  using Work = std::function<void(const LoadProgress& progress)>;
 
-  explicit SideWork(Work work);
+  explicit SideWork(LongWork work);
   /// Gives the work up, and waits for it.
   ~SideWork();
   SideWork(const SideWork&) = delete;
@@ -40,7 +37,7 @@ class SideWork {
   void run();
   void take(double share, const std::string& what);
 
-  const Work work_;
+  const LongWork work_;
   mutable std::mutex mutex_;
   Progress progress_;
   bool is_given_up_ = false, has_ended_ = false;

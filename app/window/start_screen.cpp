@@ -5,6 +5,7 @@
 #include "app/files/data_folder.h"
 #include "app/show/painter.h"
 #include "app/window/panel/overlay.h"
+#include "app/window/side_work.h"
 #include "app/window/stop_signals.h"
 #include "app/window/window_input.h"
 
@@ -47,7 +48,7 @@ class StartScreen {
 
 }  // namespace
 
-Result<bool> show_start(Painter& painter, const DemoOptions& options, const SideWork::Work& work) {
+Result<bool> show_start(Painter& painter, const DemoOptions& options, const LongWork& work) {
   SideWork side(work);
   for (double seconds = 0; !side.has_ended() && seconds < seconds_unseen; seconds += seconds_a_look) {
     WindowInput::wait(seconds_a_look);

@@ -147,7 +147,9 @@ void WindowRequests::open_models(const std::vector<std::string>& files) {
   const CrowdRequest request = *lent ? CrowdRequest((*lent)->request) : CrowdRequest(LoadModels{files});
   const std::string words = *lent ? (*lent)->words : std::string();
   session_.loading.begin(session_.show.plan_for({&request, 1}), [this, request, words, files](const ShownTracks&) {
-    if (!make(request)) return;
+    // Lent clips come to people who may hold unsaved work; models take the place of all of it.
+    const bool is_made = words.empty() ? make(request) : session_.editor.take(request);
+    if (!is_made) return;
     if (!words.empty()) messages().say(words);
     for (const std::string& file : files) session_.note_recent(file);
   });

@@ -34,7 +34,7 @@ TEST_F(DroppedModel, MayBeAFolderWhoseSharesAreDragged) {
   });
 }
 
-TEST_F(DroppedModel, WithoutAMeshLendsItsClipsUntilThatIsTakenBack) {
+TEST_F(DroppedModel, WithoutAMeshLendsItsClipsWhichAreUnsavedUntilThatIsTakenBack) {
   const std::string features = std::string(THRONG_SOURCE_DIR) + "/tests/data/features/";
   std::ifstream stream(features + "data-uri.gltf");
   Json clips = Json::parse(stream);
@@ -55,6 +55,10 @@ TEST_F(DroppedModel, WithoutAMeshLendsItsClipsUntilThatIsTakenBack) {
   drop((folder() / "moves.gltf").string());
   wait_for_message("The clips of moves.gltf are lent to no-animation");
   wait_for_notice("the clips", true);
+  xdotool({"key", "ctrl+q"});
+  wait_for("a question about the clips", [](const Json& now) { return now["widgets"].contains("unsaved:save"); });
+  xdotool({"key", "Escape"});
+  wait_for("no question", [](const Json& now) { return !now["widgets"].contains("unsaved:save"); });
   xdotool({"key", "ctrl+z"});
   wait_for_notice("the clips to be gone", false);
 }

@@ -4,6 +4,8 @@
 #include <deque>
 #include <string>
 
+#include "throng/ticks.h"
+
 #include "app/show/report/selection_report.h"
 
 namespace throng::app {

@@ -86,6 +86,7 @@ DrawCounts Renderer::draw(const CrowdFrame& frame) {
 }
 
 DrawCounts Renderer::draw_uploaded(const CrowdFrame& frame) {
+  parts_->split.forget_sides();
   DrawCounts counts = parts_->draw_light(frame);
   const std::optional<Lens>& lens = parts_->options.lens;
   add(counts, lens ? parts_->draw_through_lens(frame, *lens) : parts_->draw_tiles(frame));

@@ -20,6 +20,8 @@ class SplitPass {
 
   /// Draws over all finished pixels of `target`. Both sides must be kept and have its size.
   DrawCounts draw(const ImageTarget& target, const SplitView& split) const;
+  /// Gives back the memory of both sides.
+  void forget_sides() { left_ = {}, right_ = {}; }
 
  private:
   struct Side {
@@ -31,7 +33,7 @@ class SplitPass {
 
   const gl::Program& program_;
   gl::VertexArray no_vertices_ = gl::create_vertex_array();
-  Side left_, right_;  // without storage until the first split
+  Side left_, right_;  // without storage while no split is drawn
 };
 
 }  // namespace throng::render

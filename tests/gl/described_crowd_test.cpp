@@ -146,7 +146,8 @@ TEST_P(WhatIsOpen, ComesBackByFileByDropAndByTheCopiedCommandLine) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, WhatIsOpen, testing::ValuesIn(all_kinds()), name_of);
+INSTANTIATE_TEST_SUITE_P(OfCharacters, WhatIsOpen, testing::ValuesIn(kinds_of_characters()), name_of);
+INSTANTIATE_TEST_SUITE_P(OfViews, WhatIsOpen, testing::ValuesIn(kinds_of_views()), name_of);
 
 // A new member does not compile here before a kind above and these lines have it.
 TEST(WhatCanBeOpen, HasAKindForEachMemberOfASetup) {
@@ -164,10 +165,12 @@ TEST(WhatCanBeOpen, HasAKindForEachMemberOfASetup) {
 TEST(WhatCanBeOpen, IsWhatEachRequestAboutTheCrowdChanges) {
   std::set<std::size_t> asked{CrowdRequest(Select()).index(), CrowdRequest(Push()).index(),
                               CrowdRequest(Hold()).index(), CrowdRequest(GoBack()).index()};
-  for (const Kind& kind : all_kinds()) {
-    if (!kind.asked) continue;
-    const auto show = show_of(kind.begun_with, {"--headless=none"});
-    for (const CrowdRequest& request : kind.asked(show->stage())) asked.insert(request.index());
+  for (const std::vector<Kind>& kinds : {kinds_of_characters(), kinds_of_views()}) {
+    for (const Kind& kind : kinds) {
+      if (!kind.asked) continue;
+      const auto show = show_of(kind.begun_with, {"--headless=none"});
+      for (const CrowdRequest& request : kind.asked(show->stage())) asked.insert(request.index());
+    }
   }
   EXPECT_EQ(asked.size(), std::variant_size_v<CrowdRequest>) << "a new request needs a kind above, or passes";
 }

@@ -155,7 +155,8 @@ void keep_places(CrowdSetup& setup) {
   setup.bookmarks[8] = CameraPose{.x = 0.1F};
 }
 
-std::vector<Kind> all_kinds() {
+/// Kinds of characters and of what a person chose for them.
+std::vector<Kind> kinds_of_characters() {
   const std::string man = "@models/a man's $HOME.glb", two = "@models/two.glb", odd = "@models/with,comma*2.glb";
   const Words agents{"--agents", "9"};
   return {
@@ -175,6 +176,14 @@ std::vector<Kind> all_kinds() {
       {"PlacementOfTheBuiltInCharacterBesideTracks", tracks(), other_placement},
       {"LentClips", agents + Words{man, "--clips-from", "@models/clips of others.glb"}},
       {"Rules", agents, other_rules},
+  };
+}
+
+/// Kinds of recorded crowds, of cameras and of what the window keeps.
+std::vector<Kind> kinds_of_views() {
+  const std::string man = "@models/a man's $HOME.glb", two = "@models/two.glb";
+  const Words agents{"--agents", "9"};
+  return {
       {"ARecordedCrowd", tracks()},
       {"ARecordedCrowdWithWalls", tracks({"--walls", "@hall of 2.wkt", "--lenient", "--height=none"})},
       {"ARecordedCrowdThatPointsUp", tracks({"--up", "y"})},

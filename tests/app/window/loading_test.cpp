@@ -2,6 +2,7 @@
 #include "app/window/loading.h"
 
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <thread>
@@ -12,6 +13,7 @@
 #include "app/show/show.h"
 #include "app/show/stage/stage.h"
 #include "tests/app/show/recording/recorded_run.h"
+#include "tests/tracks/track_file.h"
 
 namespace throng::app::loading_test {
 namespace {
@@ -71,9 +73,24 @@ TEST_F(LoadedBeside, ChangesNothingOnceItIsCancelled) {
 TEST_F(LoadedBeside, GivesWayToWhatIsOpenedAfterIt) {
   begin(THRONG_SOURCE_DIR "/tests/data/features/weights-u8.glb");
   begin(model);
+  ASSERT_FALSE(messages_.all().empty());
+  EXPECT_THAT(messages_.all().back().words, HasSubstr("weights-u8.glb is not loaded"));
   go_on_until_it_is_loaded();
   EXPECT_EQ(shown(), model);
   EXPECT_EQ(taken_, 1);
+}
+
+TEST_F(LoadedBeside, IsTakenWithoutAnotherLookAtTheFile) {
+  const TrackFolder folder;
+  const std::string copy = folder.path("copy.glb");
+  std::filesystem::copy_file(model, copy);
+  const CrowdRequest request = LoadModels{{copy}};
+  loading_.begin(show_->plan_for({&request, 1}), [&](const auto&) {
+    std::filesystem::remove(copy);
+    EXPECT_TRUE(show_->take(request));
+  });
+  go_on_until_it_is_loaded();
+  EXPECT_EQ(shown(), copy);
 }
 
 TEST_F(LoadedBeside, SaysWhyItCannotBeShown) {

@@ -50,8 +50,11 @@ TEST_F(DroppedModel, WithoutAMeshLendsItsClipsWhichAreUnsavedUntilThatIsTakenBac
              is_there;
     });
   };
-  drop(features + "no-animation.glb");
-  wait_for("the character", [&](const Json& now) { return now["report"]["drawn"] > 0; });
+  const std::string still = features + "no-animation.glb";
+  drop(still);
+  wait_for("the character", [&](const Json& now) {
+    return now["report"]["characters"] == Json::array({still}) && now["report"]["drawn"] > 0;
+  });
   drop((folder() / "moves.gltf").string());
   wait_for_message("The clips of moves.gltf are lent to no-animation");
   wait_for_notice("the clips", true);

@@ -118,6 +118,7 @@ struct Tuning {
   float top_presence = 60.0F;    ///< seconds since a person appeared, of the last colour
   float density_cut_off = 1.0F;  ///< metres that a person's own ground reaches at most
   float trail_seconds = 0.0F;    ///< a recorded crowd's ways of so many seconds are drawn; 0: none
+  bool ids = false;              ///< the number of each person, by a file its id, above the head
   bool bones_as_lines = false;
   bool scenery = true;        ///< what stands around the crowd
   int picture_size = 100;     ///< per cent of a window's width and height in which the scene is drawn, 25 to 100

@@ -47,6 +47,12 @@ std::vector<TuningValue> view_values() {
               .most = 30,
               .track = {.decimals = 1, .zero_word = "off", .suffix = " s"}},
              at(&Tuning::trail_seconds)),
+      on_off({.key = "ids",
+              .label = "Ids",
+              .option = "--ids on|off",
+              .help = "The ids that people have in their file, or else the numbers of agents, stand above heads"
+                      " ({default})"},
+             at(&Tuning::ids)),
       number({.key = "picture_size",
               .label = "Picture size",
               .option = "--picture-size PERCENT",

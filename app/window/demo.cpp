@@ -121,7 +121,7 @@ struct Account {
 Status run_headless(Show& show, const DemoOptions& options, Replay* replay, Account& account) {
   if (options.ui) show.view().free.right = 1.0F - column_share(options.width, options.ui_scale);
   go_on_unseen(show, options);
-  const bool has_overlay = (options.ui || options.legend) && show.painter().draws();
+  const bool has_overlay = (options.ui || options.legend || show.stage().tuning().ids) && show.painter().draws();
   DrawnOverlay overlay(options);
   std::unique_ptr<Output> output;
   if (options.output.any()) {

@@ -76,6 +76,7 @@ Status DrawnOverlay::begin(Show& show) {
   if (Status reported = report(show); !reported) return reported;
   overlay_ = std::make_unique<Overlay>(fonts_folder(options_.data), options_.ui_scale, tuning_);
   overlay_->show_tab(options_.ui_tab);
+  overlay_->set_hidden(!options_.ui);
   if (options_.legend) overlay_->show_legend_only();
   if (Status prepared = show.painter().renderer().prepare_overlay(); !prepared) return prepared;
   constexpr int frames_until_laid_out = 29;  // three would do; the more, the truer the time of one

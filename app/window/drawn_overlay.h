@@ -10,7 +10,7 @@
 
 namespace throng::app {
 
-/// The overlay in pictures of a headless run, or the legend alone. No mouse moves there.
+/// The overlay in pictures without a window, or the legend and ids above heads alone. No mouse moves there.
 class DrawnOverlay {
  public:
   explicit DrawnOverlay(const DemoOptions& options) : options_(options) {}

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/output/label_frame.h"
 #include "app/show/painter.h"
 #include "app/show/recording/recorder.h"
 #include "app/show/show.h"
@@ -273,7 +274,7 @@ void FrameReporter::add_tracks(const Stage& stage) {
 // Reports the agents that are tallest on the screen, and the selected one even where it is small.
 void FrameReporter::add_heads(const Stage& stage) {
   report_.heads.clear();
-  if (!stage.tuning().inspection.figures_above_heads) return;
+  if (!stage.tuning().ids && !stage.tuning().inspection.figures_above_heads) return;
   std::vector<anim::VisibleAgent> near(stage.posed().selection().visible.begin(),
                                        stage.posed().selection().visible.end());
   const auto shown = near.begin() + static_cast<std::ptrdiff_t>(std::min(near.size(), most_heads));
@@ -287,12 +288,15 @@ void FrameReporter::add_heads(const Stage& stage) {
 void FrameReporter::add_head(const Stage& stage, const anim::VisibleAgent& agent) {
   const glm::vec3 foot = stage.crowd().positions()[agent.agent];
   const auto height = static_cast<float>(stage.character_of(agent.agent).character->bounds.height);
-  report_.heads.push_back({.agent = agent.agent,
-                           .x = foot.x,
-                           .y = foot.y + stage.crowd().scales()[agent.agent] * height + above_head,
-                           .z = foot.z,
-                           .interval = agent.interval,
-                           .bone_level = agent.bone_level});
+  HeadFigures& head = report_.heads.emplace_back();
+  head.agent = agent.agent;
+  head.x = foot.x;
+  head.y = foot.y + stage.crowd().scales()[agent.agent] * height + above_head;
+  head.z = foot.z;
+  if (stage.tuning().ids) head.id = id_of_agent(stage, agent.agent);
+  if (!stage.tuning().inspection.figures_above_heads) return;
+  head.interval = agent.interval;
+  head.bone_level = agent.bone_level;
 }
 
 void FrameReporter::add_units(const anim::AnimationSystem& system) {

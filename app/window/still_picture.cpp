@@ -55,7 +55,8 @@ Status write_picture(Show& show, const std::string& file) {
 
 glm::ivec2 size_of_still(Show& show, int times) { return times * show.painter().renderer().size(); }
 
-Status write_still(Show& show, const std::string& file, glm::ivec2 size, const Tuning& values, bool is_replay) {
+Status write_still(Show& show, const std::string& file, glm::ivec2 size, const Tuning& values, bool is_replay,
+                   const std::function<Status(Show&)>& draw_over) {
   const ShownBefore before(show);
   if (Status sized = show.painter().set_still(size); !sized) return sized;
   ShowView& view = show.view();
@@ -64,6 +65,7 @@ Status write_still(Show& show, const std::string& file, glm::ivec2 size, const T
   view.free = {};
   Status written = is_replay ? Done{} : pose_with(show, values);
   if (written) written = show.draw();
+  if (written) written = draw_over(show);
   if (written) written = write_picture(show, file);
   const Status back = before.give_back();
   return written ? back : written;

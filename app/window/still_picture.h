@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include <glm/vec2.hpp>
@@ -19,8 +20,10 @@ Status write_picture(Show& show, const std::string& file);
 glm::ivec2 size_of_still(Show& show, int times);
 
 /// Writes the moment that a show shows as a PNG of that size, without a panel, as `--headless --screenshot` would with
-/// these values. No time passes. The window's picture is as before, and is to be drawn anew. Poses of a replay stay as
-/// they were recorded. Errors: the picture is too large, or cannot be drawn or written.
-Status write_still(Show& show, const std::string& file, glm::ivec2 size, const Tuning& values, bool is_replay);
+/// these values. `draw_over` draws over the picture. No time passes. The window's picture is as before, and is to be
+/// drawn anew. Poses of a replay stay as they were recorded. Errors: the picture is too large, or cannot be drawn or
+/// written; those of `draw_over`.
+Status write_still(Show& show, const std::string& file, glm::ivec2 size, const Tuning& values, bool is_replay,
+                   const std::function<Status(Show&)>& draw_over);
 
 }  // namespace throng::app

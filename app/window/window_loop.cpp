@@ -68,13 +68,6 @@ class WindowLoop {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // That of the display, unless a person asked for another.
-  float panel_scale() const {
-    const DemoOptions& options = session_.options;
-    const bool is_asked_for = std::ranges::find(options.given, "--ui-scale") != options.given.end();
-    return is_asked_for ? options.ui_scale : session_.input.content_scale();
-  }
-
   void take_kept(const DemoOptions& options) {
     if (options.crowd == nullptr) return;
     requests_.take_kept(*options.crowd);
@@ -94,7 +87,7 @@ class WindowLoop {
     const double seconds = std::min(std::chrono::duration<double>(now - last_frame_).count(), longest_time());
     last_frame_ = now;
     picture_.fit_to_window(session_.input.is_out_of_sight());
-    picture_.scale(overlay_, panel_scale());
+    picture_.scale(overlay_, session_.panel_scale());
     const InputFrame& input = session_.input.next_frame();
     still_frames_ = stands_still() && !is_used(input) ? still_frames_ + 1 : 0;
     const Clock::time_point overlay_start = Clock::now();

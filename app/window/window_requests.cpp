@@ -14,6 +14,7 @@
 #include "app/show/show_view.h"
 #include "app/show/stage/stage.h"
 #include "app/show/viewer/viewer.h"
+#include "app/window/drawn_overlay.h"
 #include "app/window/still_picture.h"
 #include "app/window/viewer_requests.h"
 #include "app/window/wardrobe_requests.h"
@@ -222,8 +223,15 @@ void WindowRequests::draw_still() {
   const FrameReport& report = session_.reporter.report();
   const glm::ivec2 size = size_of_still(session_.show, report.output.picture_times);
   const std::string file = std::exchange(still_, {});
-  messages().report(write_still(session_.show, file, size, session_.best_values(), report.replay.has_value()),
+  DemoOptions options = session_.options;
+  options.ui = options.legend = false;
+  options.ui_scale = session_.panel_scale() * static_cast<float>(report.output.picture_times);
+  const auto draw_ids = [&options](Show& show) {
+    return show.stage().tuning().ids ? DrawnOverlay(options).draw(show) : Done{};
+  };
+  messages().report(write_still(session_.show, file, size, session_.best_values(), report.replay.has_value(), draw_ids),
                     "Wrote " + whole_path(file) + ", " + std::to_string(size.x) + "x" + std::to_string(size.y));
+  messages().report(session_.show.painter().renderer().prepare_overlay());  // with the letters of the window
 }
 
 void WindowRequests::carry_out(const MakeVideo& /*asked*/) {

@@ -48,6 +48,11 @@ WindowSession::WindowSession(Show& show_in_window, const DemoOptions& given)
   first_panel_width = settings->panel_width;
 }
 
+float WindowSession::panel_scale() const {
+  const bool is_asked_for = std::ranges::find(options.given, "--ui-scale") != options.given.end();
+  return is_asked_for ? options.ui_scale : input.content_scale();
+}
+
 Tuning WindowSession::best_values() const {
   Tuning best = rate.at_best(editor.tuning());
   const DeviceChoices& device = show.painter().device_choices();

@@ -27,6 +27,8 @@ struct WindowSession {
 
   /// Returns the values that the panel shows: the values that a person asks for, at the cost that holds the frame rate.
   Tuning shown_values() const { return rate.kept(editor.tuning()); }
+  /// Returns the scale of the panel: that of the display, unless the command line asks for another.
+  float panel_scale() const;
   /// Returns the values that a person asks for at the quality of a headless run, for a picture or a video as a file.
   Tuning best_values() const;
   /// Gives the show the values of the next frame: those of the exact crowd while a person holds its key, of the next

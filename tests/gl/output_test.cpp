@@ -106,6 +106,28 @@ TEST_F(OutputOfARun, ShowsItsLastFrameInAScreenshotThoughItWasThere) {
   EXPECT_TRUE(last->rgba == picture->rgba);
 }
 
+TEST_F(OutputOfARun, HasIdsAboveHeadsInEachPictureAndInNoLabels) {
+  options_.width = 400, options_.height = 240;
+  const auto run_into = [this](const char* pictures, const char* labels) {
+    options_.output.pictures = folder_ / pictures;
+    options_.output.labels = folder_ / labels;
+    run(2);
+  };
+  run_into("plain", "labels");
+  options_.tuning.ids = true;
+  run_into("with ids", "labels beside them");
+  EXPECT_EQ(files_in(folder_ / "labels"), files_in(folder_ / "labels beside them"));
+  for (const char* const name : {"frame_000001.png", "frame_000002.png"}) {
+    const auto plain = render::read_png(folder_ / "plain" / name);
+    const auto ids = render::read_png(folder_ / "with ids" / name);
+    ASSERT_TRUE(plain && ids);
+    std::size_t others = 0;
+    for (std::size_t at = 0; at < plain->rgba.size(); ++at) others += plain->rgba[at] != ids->rgba[at] ? 1U : 0U;
+    EXPECT_GT(others, 0U) << name;
+    EXPECT_LT(others, plain->rgba.size() / 4) << name << ": the panel is not there";
+  }
+}
+
 TEST_F(OutputOfARun, HasTheLegendInEachPictureAndInNoLabels) {
   options_.width = 400, options_.height = 240;
   options_.tuning.debug_view = DebugView::density;

@@ -13,6 +13,7 @@
 #include "app/show/show_view.h"
 #include "app/show/stage/stage.h"
 #include "app/window/demo.h"
+#include "app/window/drawn_overlay.h"
 #include "tests/app/temporary_folder.h"
 #include "tests/gl/picture_tolerance.h"
 #include "tests/gl/small_picture.h"
@@ -54,15 +55,18 @@ class StillPicture : public test::TemporaryFolder {
   /// Writes a still and reads it.
   render::Image still(int times, const Tuning& values, bool is_replay = false) {
     const std::string file = folder_ / "still.png";
-    const Status written = write_still(*show_, file, size_of_still(*show_, times), values, is_replay);
+    const Status written = write_still(
+        *show_, file, size_of_still(*show_, times), values, is_replay,
+        [times](Show& show) { return show.stage().tuning().ids ? DrawnOverlay(of_size(times)).draw(show) : Done{}; });
     EXPECT_TRUE(written) << written.error().message;
     const auto image = render::read_png(file);
     EXPECT_TRUE(image);
     return image ? *image : render::Image::blank(1, 1);
   }
   /// Returns the picture that a run without a window writes of that moment.
-  render::Image screenshot(int times) const {
+  render::Image screenshot(int times, bool ids = false) const {
     DemoOptions options = of_size(times);
+    options.tuning.ids = ids;
     options.screenshot = folder_ / "screenshot.png";
     EXPECT_EQ(run_demo(options), 0);
     return render::read_png(options.screenshot).value();
@@ -85,6 +89,16 @@ TEST_F(StillPicture, IsTheScreenshotOfARunWithoutAWindow) {
   ASSERT_EQ(drawn.width, 2 * width);
   ASSERT_EQ(drawn.height, 2 * height);
   EXPECT_TRUE(are_the_same(wanted, drawn));
+}
+
+TEST_F(StillPicture, HasIdsAboveHeadsAsTheScreenshotHas) {
+  show_.reset();
+  const render::Image wanted = screenshot(2, true);
+  open();
+  Tuning values = of_size(2).tuning;
+  EXPECT_FALSE(are_the_same(wanted, still(2, values)));
+  values.ids = true;
+  EXPECT_TRUE(are_the_same(wanted, still(2, values)));
 }
 
 TEST_F(StillPicture, LeavesThePictureOfTheWindowAsItWas) {
@@ -110,7 +124,8 @@ TEST_F(StillPicture, OfAReplayShowsThePosesThatWereRecorded) {
 
 TEST_F(StillPicture, ThatCannotBeWrittenIsNamedAndChangesNothing) {
   const Tuning values = show_->stage().tuning();
-  const Status written = write_still(*show_, folder_ / "none" / "still.png", {320, 180}, of_size(2).tuning, false);
+  const Status written = write_still(*show_, folder_ / "none" / "still.png", {320, 180}, of_size(2).tuning, false,
+                                     [](Show&) { return Done{}; });
   ASSERT_FALSE(written);
   EXPECT_NE(written.error().message.find("still.png"), std::string::npos);
   EXPECT_EQ(show_->stage().tuning(), values);

@@ -46,11 +46,12 @@ struct BoneRow {
   anim::BoneLodRow lod;
 };
 
-/// The interval and the bone level of an agent, to be written above its head.
+/// What is to be written above the head of an agent.
 struct HeadFigures {
   std::uint32_t agent = 0;
   float x = 0, y = 0, z = 0;  ///< metres, just above the head
-  int interval = 1;
+  std::string id = {};        ///< empty: it is not asked for
+  int interval = 0;           ///< frames; 0: level of detail is not asked for
   int bone_level = 0;
 };
 
@@ -175,7 +176,7 @@ struct FrameReport {
   std::vector<IntervalThreshold> thresholds;  ///< the distances where the interval changes, the nearest first
   std::string threshold_clip;                 ///< the clip that they hold for; empty: they hold for all
   std::string limit_sentence;                 ///< says what limits the frame rate, with figures
-  std::vector<HeadFigures> heads;             ///< figures of agents near by, if asked for
+  std::vector<HeadFigures> heads;             ///< ids and figures of agents near by, if asked for
   // Scheduling
   int hardware_threads = 0;
   anim::ScheduleOptions schedule;

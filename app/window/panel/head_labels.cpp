@@ -72,8 +72,10 @@ class PlacedLabels {
 };
 
 std::string words_above(const HeadFigures& head) {
-  const std::string interval = std::to_string(head.interval);
-  return head.bone_level == 0 ? interval : interval + " L" + std::to_string(head.bone_level);
+  if (head.interval == 0) return head.id;
+  std::string words = head.id.empty() ? "" : head.id + ": ";
+  words += std::to_string(head.interval);
+  return head.bone_level == 0 ? words : words + " L" + std::to_string(head.bone_level);
 }
 
 int lines_in_frame_before(const AidsMemory& memory, std::uint32_t agent) {
@@ -136,8 +138,11 @@ void draw_leader(const LabelShape& shape, int lines_up) {
 
 void draw_label(const Theme& theme, const Area& place, const HeadFigures& head, const std::string& words) {
   ImGui::GetWindowDrawList()->AddRectFilled(place.from, place.to, colour::panel, theme.px(3));
-  ImGui::GetWindowDrawList()->AddRectFilled(place.from, {place.from.x + theme.px(3), place.to.y},
-                                            colour::interval(head.interval), theme.px(3), ImDrawFlags_RoundCornersLeft);
+  if (head.interval > 0) {
+    ImGui::GetWindowDrawList()->AddRectFilled(place.from, {place.from.x + theme.px(3), place.to.y},
+                                              colour::interval(head.interval), theme.px(3),
+                                              ImDrawFlags_RoundCornersLeft);
+  }
   draw_text(theme.small, {place.from.x + theme.px(5), place.from.y + theme.px(1)}, colour::text, words);
 }
 

@@ -75,6 +75,7 @@ float column_share(int width, float scale) {
 }
 
 struct Overlay::State {
+  ImGuiContext* before = ImGui::GetCurrentContext();
   Context context = make_context();
   Theme theme;
   UiMap map;
@@ -119,7 +120,11 @@ Overlay::Overlay(const std::filesystem::path& fonts, float scale, const Tuning& 
   connect(io, state_->clipboard);
 }
 
-Overlay::~Overlay() = default;
+Overlay::~Overlay() {
+  ImGuiContext* const before = state_->before;
+  state_.reset();
+  ImGui::SetCurrentContext(before);
+}
 
 void Overlay::State::make_letters(float scale) {
   const bool has_ground = theme.panels_have_ground;
@@ -169,8 +174,8 @@ Requests Overlay::build(const FrameReport& report, const Tuning& before) {
   state.apply_keys(report, tuning, requests);
   const Layout layout = state.layout();
   state.shows_viewer = report.viewer.has_value();
+  const TabContext context{state.widgets, report, tuning, state.standard, requests, state.memory};
   if (!state.switches.hidden) {
-    const TabContext context{state.widgets, report, tuning, state.standard, requests, state.memory};
     state.show_edge(layout);
     if (report.viewer) {
       state.show_viewer(layout, context);
@@ -184,10 +189,7 @@ Requests Overlay::build(const FrameReport& report, const Tuning& before) {
     show_picture_aids(context, state.map, layout.crowd, state.aids);
   }
   state.show_dialogs(report, all_input, requests);
-  if (state.aids.is_legend_alone) {
-    const TabContext context{state.widgets, report, tuning, state.standard, requests, state.memory};
-    show_legend(context, {.from = {0, 0}, .to = ImGui::GetIO().DisplaySize}, {}, state.aids);
-  }
+  if (state.switches.hidden) show_aids_without_panel(context, state.aids);
   if (tuning != before) requests.ask(Apply{tuning});
   state.is_in_a_change = ImGui::IsAnyItemActive() || state.widgets.focus().is_stepping();
   state.widgets.focus().end_frame(state.theme);

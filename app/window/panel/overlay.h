@@ -35,7 +35,7 @@ float column_share(int width, float scale);
 /// The window's thread calls begin_frame and build in each frame, and then draws draw_data(). build also does what the
 /// hotkeys ask for. app/window/window_loop.cpp is the loop.
 ///
-/// It owns the ImGui context and makes it current, so there is one overlay at a time.
+/// It owns an ImGui context and makes it current until it ends, so the newest overlay is the only one in use.
 class Overlay {
  public:
   /// `fonts` is the folder of the Roboto files. `scale` multiplies every measure. A reset goes back to `standard`.
@@ -61,7 +61,7 @@ class Overlay {
   /// Returns the triangles of the last build, which are valid until the next begin_frame.
   ImDrawData* draw_data() const;
 
-  /// Returns the number of vertices of the last build; 0 when hidden.
+  /// Returns the number of vertices of the last build; 0 when nothing is shown.
   int vertex_count() const;
 
   /// Returns the places of all widgets in the last build.
@@ -91,8 +91,9 @@ class Overlay {
   /// Returns whether the person is in the middle of a change, such as a drag, whose requests belong together.
   bool is_in_a_change() const;
 
+  /// Hides the panel. Ids above heads stay.
   void set_hidden(bool hidden);
-  /// Shows from now on nothing but the legend, with the time and the number of people.
+  /// Hides the panel, and shows the legend from now on, with the time and the number of people.
   void show_legend_only();
   /// Shows one of "Crowd", "LOD skipping", "Per-bone LOD", "Scheduling", "Agent", "Presets"; any other name is ignored.
   void show_tab(const std::string& name);

@@ -23,4 +23,13 @@ void show_picture_aids(const TabContext& context, const UiMap& map, const Area& 
   show_head_labels(context, crowd, taken, memory);
 }
 
+void show_aids_without_panel(const TabContext& context, AidsMemory& memory) {
+  const Area whole{.from = {0, 0}, .to = ImGui::GetIO().DisplaySize};
+  const auto legend = memory.is_legend_alone ? show_legend(context, whole, {}, memory) : std::nullopt;
+  if (!context.tuning.ids || context.report.viewer) return;
+  std::vector<Area> taken;
+  if (legend) taken.push_back(*legend);
+  show_head_labels(context, whole, taken, memory);
+}
+
 }  // namespace throng::app

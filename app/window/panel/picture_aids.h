@@ -28,14 +28,17 @@ struct AidsMemory {
 /// keep clear of all that is shown over the crowd already, as `map` has it.
 void show_picture_aids(const TabContext& context, const UiMap& map, const Area& crowd, AidsMemory& memory);
 
+/// Shows the aids of a picture without a panel, over all of it: the legend where it stands alone, and ids above heads.
+void show_aids_without_panel(const TabContext& context, AidsMemory& memory);
+
 // Their parts. `taken` are the places over the crowd that must stay free.
 
 /// Shows the grip of the line that splits the picture, and says what is on either side. A drag moves the line. Returns
 /// the places of the grip and the words.
 std::vector<Area> show_split_line(const TabContext& context, const Area& crowd, std::span<const Area> taken,
                                   AidsMemory& memory);
-/// Writes the level of detail of agents near by above their heads: the interval in frames, and after it the bone level
-/// where bones are dropped. A figure that would lie over another one is left out.
+/// Writes above the heads of agents near by what is asked for: the id, the interval in frames, and after it the bone
+/// level where bones are dropped. A figure that would lie over another one is left out.
 void show_head_labels(const TabContext& context, const Area& crowd, std::span<const Area> taken, AidsMemory& memory);
 /// Shows the meanings of the colours in the picture. Returns where, or nothing while there are none.
 std::optional<Area> show_legend(const TabContext& context, const Area& crowd, std::span<const Area> taken,

@@ -107,6 +107,9 @@ void show_picture_section(const TabContext& context) {
               {.what = "Draws where people of a recorded crowd went in the last seconds, on the ground.",
                .unit = "seconds, 0 to 30",
                .cost = "Some lines for each of them."});
+  context.row("ids", {.what = "Writes the id that a person has in a file above each head, or else the number of the "
+                              "agent. The nearest come first; an id without room is left out.",
+                      .cost = "The 300 nearest heads are looked at."});
   context.row("bones_as_lines",
               {.what = "Draws the skeletons over the characters. Behind another character they show through faintly.",
                .cost = "Two draws a bone and agent in view."});

@@ -94,8 +94,9 @@ const std::map<std::string_view, std::string> other_values{
     {"cost_least_task_ns", "900000000"},
 };
 
-/// A window alone takes these; no crowd sees them.
-const std::set<std::string_view> of_windows{"picture_size", "holds_rate", "frame_rate", "frame_limit", "vertical_sync"};
+/// A window or the overlay alone takes these; no crowd sees them.
+const std::set<std::string_view> of_windows{"ids",        "picture_size", "holds_rate",
+                                            "frame_rate", "frame_limit",  "vertical_sync"};
 
 std::vector<CharacterSource> mannequin() {
   static const CharacterSource loaded = *load_built_in("", {.wardrobe = true});

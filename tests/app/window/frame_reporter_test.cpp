@@ -1,10 +1,12 @@
 #include "app/window/frame_reporter.h"
 
 #include <memory>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "app/show/show.h"
+#include "app/show/stage/stage.h"
 #include "tests/app/show/recording/recorded_run.h"
 
 namespace throng::app::frame_reporter_test {
@@ -62,6 +64,34 @@ TEST_F(ReportedShow, ShowsASlowFrameAfterItHasPassed) {
   reporter_.look_at_last();
   pass(1, 10);
   EXPECT_FALSE(report_.kept.looked_at);
+}
+
+TEST_F(ReportedShow, HasTheNumbersOfAgentsAboveHeadsWhereTheyAreAskedFor) {
+  pass(1, 10);
+  EXPECT_TRUE(report_.heads.empty());
+  test::change(*show_, [](Tuning& tuning) { tuning.ids = true; });
+  pass(1, 10);
+  ASSERT_FALSE(report_.heads.empty());
+  for (const HeadFigures& head : report_.heads) {
+    EXPECT_EQ(head.id, std::to_string(head.agent));
+    EXPECT_EQ(head.interval, 0) << "figures are not asked for";
+  }
+  test::change(*show_, [](Tuning& tuning) { tuning.ids = false, tuning.inspection.figures_above_heads = true; });
+  pass(1, 10);
+  ASSERT_FALSE(report_.heads.empty());
+  EXPECT_EQ(report_.heads.front().id, "");
+  EXPECT_GT(report_.heads.front().interval, 0);
+}
+
+TEST(ReportedTracks, HaveTheIdsOfTheirFileAboveHeads) {
+  const std::string crossing = std::string(THRONG_SOURCE_DIR) + "/assets/samples/crossing.txt";
+  const auto show = test::show_of(test::demo("--ids on --start 5 --trajectories " + crossing));
+  FrameReporter reporter(*show);
+  show->animate(test::sixtieth);
+  reporter.update(*show, {}, 10);
+  ASSERT_FALSE(reporter.report().heads.empty());
+  for (const HeadFigures& head : reporter.report().heads)
+    EXPECT_EQ(head.id, show->stage().trajectories()->persons[head.agent].id);
 }
 
 }  // namespace

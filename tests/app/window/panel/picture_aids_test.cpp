@@ -1,4 +1,4 @@
-// The legend, the line of a split and figures above heads help to read the picture of the crowd.
+// The legend, the line of a split, ids and figures above heads help to read the picture of the crowd.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -176,6 +176,42 @@ TEST_F(PictureAids, FiguresAboveHeadsNeverOverlap) {
     for (const char* const card : {"Selected", "legend", "warning:0"}) EXPECT_FALSE(overlap(one, place(card)));
     EXPECT_LE(one.x + one.width, driver.overlay.crowd_area().width);
   }
+}
+
+TEST_F(PictureAids, AnIdStandsAboveAHeadWithItsFigure) {
+  driver.tuning.ids = look.figures_above_heads = true;
+  driver.report.camera = {.y = 1.7F, .z = 8};
+  float narrower = 0;
+  for (const char* const id : {"", "7", "pedestrian 7"}) {
+    driver.report.heads = {{.agent = 3, .y = 1.9F, .id = id, .interval = 2}};
+    driver.frames();
+    EXPECT_GT(place("head:3").width, narrower) << id;
+    narrower = place("head:3").width;
+  }
+  driver.report.heads.front().interval = 0;
+  driver.frames();
+  EXPECT_LT(place("head:3").width, narrower) << "the id alone";
+}
+
+TEST_F(PictureAids, IdsAloneStayOverAHiddenPanelAndBesideTheLegend) {
+  show_dense_heads();
+  driver.overlay.show_legend_only();
+  driver.frames();
+  EXPECT_TRUE(heads().empty()) << "figures belong to the panel";
+  driver.tuning.ids = true;
+  driver.frames();
+  EXPECT_GT(heads().size(), 20U);
+  for (const std::string& name : heads()) EXPECT_FALSE(overlap(place(name), place("legend"))) << name;
+  driver.report.viewer.emplace();
+  driver.frames();
+  EXPECT_TRUE(heads().empty()) << "the crowd waits";
+}
+
+TEST_F(PictureAids, OfAnOverlayThatEndsLeaveTheOneOfBeforeInUse) {
+  driver.tuning.debug_view = DebugView::interval;
+  OverlayDriver().frames();
+  driver.frames();
+  EXPECT_TRUE(driver.sees("legend"));
 }
 
 TEST_F(PictureAids, FiguresAboveHeadsDoNotFlicker) {

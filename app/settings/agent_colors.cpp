@@ -25,6 +25,24 @@ std::uint32_t step_color(int step, int steps) {
 
 std::uint32_t srgb_byte(float linear) { return to_byte(srgb_of_light(linear)); }
 
+std::uint32_t color_of_view(const Tuning& tuning, const AgentDetail& detail) {
+  if (const auto scale = color_scale(tuning)) {
+    return detail.measure < 0.0F ? 0 : scale_color(detail.measure / scale->top);
+  }
+  switch (tuning.debug_view) {
+    case DebugView::interval:
+      return interval_color(detail.interval);
+    case DebugView::bone_level:
+      return bone_level_color(detail.bone_level);
+    case DebugView::mesh_lod:
+      return detail.mesh_lod < 0 ? 0 : mesh_lod_color(detail.mesh_lod);
+    case DebugView::error:
+      return detail.error_px < 0.0F ? 0 : step_color(error_step(detail.error_px), error_steps);
+    default:
+      return 0;
+  }
+}
+
 }  // namespace
 
 std::uint32_t interval_color(int frames) { return step_color(frames - 1, interval_steps); }
@@ -78,21 +96,8 @@ std::uint32_t scale_color(float share) {
 }
 
 std::uint32_t debug_color(const Tuning& tuning, const AgentDetail& detail) {
-  if (const auto scale = color_scale(tuning)) {
-    return detail.measure < 0.0F ? 0 : scale_color(detail.measure / scale->top);
-  }
-  switch (tuning.debug_view) {
-    case DebugView::interval:
-      return interval_color(detail.interval);
-    case DebugView::bone_level:
-      return bone_level_color(detail.bone_level);
-    case DebugView::mesh_lod:
-      return detail.mesh_lod < 0 ? 0 : mesh_lod_color(detail.mesh_lod);
-    case DebugView::error:
-      return detail.error_px < 0.0F ? 0 : step_color(error_step(detail.error_px), error_steps);
-    default:
-      return 0;
-  }
+  const std::uint32_t color = color_of_view(tuning, detail);
+  return color == 0 && tuning.plain_bodies ? plain_body_color : color;
 }
 
 // The colours and their order are as in color_of_weight in shaders/crowd_vertex_main.glsl, which are linear.

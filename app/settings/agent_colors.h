@@ -35,7 +35,11 @@ std::optional<ColorScale> color_scale(const Tuning& tuning);
 /// Returns the colour of a share of a scale, 0 to 1, opaque, so that no clothes change it.
 std::uint32_t scale_color(float share);
 
-/// Returns the colour (RGBA8, sRGB, red in the lowest byte) that the debug view in force lays over an agent; 0: none.
+/// The colour of plain bodies, which is none of a value's, opaque.
+inline constexpr std::uint32_t plain_body_color = 0xFFB4B4B4;
+
+/// Returns the colour (RGBA8, sRGB, red in the lowest byte) that the debug view in force lays over an agent, or that of
+/// plain bodies where it lays none; 0: none.
 std::uint32_t debug_color(const Tuning& tuning, const AgentDetail& detail);
 
 /// Returns the colour of an interval. Intervals beyond eight frames share the last.

@@ -145,6 +145,18 @@ Reason of_colours(const Tuning& tuning, const Situation&) {
   return tuning.taken_away.upload ? "No upload is on, so the records of the last frame are drawn" : nullptr;
 }
 
+Reason of_plain_bodies(const Tuning& tuning, const Situation& situation) {
+  switch (tuning.debug_view) {
+    case DebugView::interval:
+    case DebugView::bone_level:
+    case DebugView::mesh_lod:
+    case DebugView::speed:
+      return "the colours cover all bodies";
+    default:
+      return of_colours(tuning, situation);
+  }
+}
+
 template <DebugView view>
 Reason of_scale(const Tuning& tuning, const Situation& situation) {
   return tuning.debug_view == view ? of_colours(tuning, situation) : "the colours show something else";
@@ -219,6 +231,7 @@ constexpr std::array idle_rules = std::to_array<Rule>({
     {"cost_least_task_ns", of_grain},
     {"palette", of_palette},
     {"debug_view", of_colours},
+    {"plain_bodies", of_plain_bodies},
     {"top_speed", of_scale<DebugView::speed>},
     {"top_density", of_scale<DebugView::density>},
     {"top_presence", of_scale<DebugView::presence>},

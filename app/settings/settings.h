@@ -118,6 +118,7 @@ struct Tuning {
   float top_presence = 60.0F;    ///< seconds since a person appeared, of the last colour
   float density_cut_off = 1.0F;  ///< metres that a person's own ground reaches at most
   float trail_seconds = 0.0F;    ///< a recorded crowd's ways of so many seconds are drawn; 0: none
+  bool plain_bodies = false;     ///< bodies without a colour of the debug view are grey
   bool ids = false;              ///< the number of each person, by a file its id, above the head
   bool bones_as_lines = false;
   bool scenery = true;        ///< what stands around the crowd

@@ -47,6 +47,12 @@ std::vector<TuningValue> view_values() {
               .most = 30,
               .track = {.decimals = 1, .zero_word = "off", .suffix = " s"}},
              at(&Tuning::trail_seconds)),
+      on_off({.key = "plain_bodies",
+              .label = "Plain bodies",
+              .option = "--plain-bodies on|off",
+              .help = "Bodies are grey, without clothes' colours and textures, where --colours gives them no colour"
+                      " ({default})"},
+             at(&Tuning::plain_bodies)),
       on_off({.key = "ids",
               .label = "Ids",
               .option = "--ids on|off",

@@ -34,7 +34,7 @@ void Picture::compose(const Stage& stage, Poses poses) {
                     .outfits_number = crowd.looks().number,
                     .contact_scales = contact_scales_,
                     .silhouettes_cast = stage.tuning().shadows};
-  if (stage.selected() || stage.tuning().debug_view != DebugView::none) {
+  if (stage.selected() || stage.tuning().debug_view != DebugView::none || stage.tuning().plain_bodies) {
     color(stage, poses);
     drawn.colors = colors_;
   }

@@ -11,6 +11,7 @@ Tuning worth_keeping(Tuning tuning) {
   tuning.taken_away = standard.taken_away;
   tuning.debug_view = standard.debug_view;
   tuning.trail_seconds = standard.trail_seconds;
+  tuning.plain_bodies = standard.plain_bodies;
   tuning.ids = standard.ids;
   tuning.bones_as_lines = standard.bones_as_lines;
   return tuning;

@@ -93,7 +93,7 @@ LegendPart error_legend(const Tuning& tuning) {
     const float inside = is_last ? error_limit(step - 1) : 0.75F * error_limit(step);
     part.steps.push_back({debug_color(tuning, {.error_px = inside}), words, std::nullopt});
   }
-  part.steps.push_back({0, "not measured", std::nullopt});
+  part.steps.push_back({debug_color(tuning, {}), "not measured", std::nullopt});
   return part;
 }
 

@@ -97,6 +97,9 @@ void show_picture_section(const TabContext& context) {
                "mesh: mesh LOD. Dark colours are full detail, light ones the coarsest. speed, density: how fast "
                "people go, how close they stand. presence: since when they are there."});
   show_scale(context);
+  context.row("plain_bodies",
+              {.what = "Bodies are grey where the colours above give them none, without the colours and "
+                       "textures of clothes, so that colours and trails are read well."});
   context.row(
       "picture_size",
       {.what = "Draws the crowd in a part of the window's width and height, and stretches it. The panel and its "

@@ -91,14 +91,25 @@ TEST(ColorsOfValues, HaveOneForEachStepThatNoClothesShowThrough) {
   EXPECT_EQ(interval_color(interval_steps), interval_color(16));
 }
 
-TEST(ColorOfTheSelectedAgent, IsNoneOfAValue) {
-  constexpr double another_colour = 30;
+TEST(ColorsOfTheSelectedAgentAndOfPlainBodies, AreNoneOfAValue) {
+  constexpr double another_colour = 30, another_grey = 12;  // no grey is much farther from all colours in each sight
   for (const Sight& sight : sights) {
     for (int i = 0; i <= 64; ++i) {
       const std::uint32_t value = scale_color(static_cast<float>(i) / 64);
       EXPECT_GT(difference(selected_color, value, sight), another_colour) << i << " of 64, with " << sight.name;
+      EXPECT_GT(difference(plain_body_color, value, sight), another_grey) << i << " of 64, with " << sight.name;
     }
   }
+}
+
+TEST(ColorsOfPlainBodies, AreThoseOfTheViewWhereItHasOne) {
+  Tuning tuning;
+  EXPECT_EQ(debug_color(tuning, {}), 0U);
+  tuning.plain_bodies = true;
+  EXPECT_EQ(debug_color(tuning, {}), plain_body_color);
+  tuning.debug_view = DebugView::speed;
+  EXPECT_EQ(debug_color(tuning, {.measure = 1.0F}), scale_color(0.5F));
+  EXPECT_EQ(debug_color(tuning, {.measure = -1.0F}), plain_body_color) << "it is not measured";
 }
 
 }  // namespace

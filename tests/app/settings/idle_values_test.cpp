@@ -78,6 +78,7 @@ const std::map<std::string_view, std::string> other_values{
     {"shadows", "off"},
     {"crowd_shade", "off"},
     {"debug_view", "interval"},
+    {"plain_bodies", "on"},
     {"top_speed", "0.5"},
     {"top_density", "1"},
     {"top_presence", "5"},
@@ -221,6 +222,7 @@ void expect_effects_as_said(const Tuning& tuning, const Situation& situation, co
   for (const TuningValue& value : tuning_values()) {
     if (value.key == "cost_blender_packet_ns") continue;  // nobody blends so soon
     if (of_windows.contains(value.key)) continue;
+    if (value.key == "plain_bodies" && tuning.debug_view == DebugView::density) continue;  // all people have one
     // Nor is anybody so far away that the error limit would drop bones.
     if (value.key == "bone_lod" && tuning.lod.rule == LodRule::budget) continue;
     const auto other = other_values.find(value.key);
@@ -321,6 +323,18 @@ TEST(IdleValues, AreTrailsOfPeopleWhoAreInNoFile) {
   EXPECT_TRUE(idle_reason("trail_seconds", tuning, {}));
 }
 
+TEST(IdleValues, ArePlainBodiesThatColoursCover) {
+  for (const DebugView view : {DebugView::interval, DebugView::bone_level, DebugView::mesh_lod, DebugView::presence}) {
+    Tuning tuning = usual(LodRule::distance);
+    tuning.debug_view = view;
+    const Seen before(tuning, {});
+    tuning.plain_bodies = true;
+    const bool is_idle = idle_reason("plain_bodies", tuning, mannequins).has_value();
+    EXPECT_EQ(Seen(tuning, {}).hash() == before.hash(), is_idle) << static_cast<int>(view);
+    EXPECT_EQ(is_idle, view != DebugView::presence) << static_cast<int>(view);
+  }
+}
+
 TEST(IdleValues, AreWaysToLookWhereNothingIsDrawn) {
   Tuning tuning = usual(LodRule::budget);
   EXPECT_TRUE(idle_reason("split_at", tuning, {}));
@@ -328,7 +342,7 @@ TEST(IdleValues, AreWaysToLookWhereNothingIsDrawn) {
   EXPECT_FALSE(idle_reason("split_at", tuning, {}));
   tuning.taken_away.drawing = true;
   for (const char* const key :
-       {"split", "split_at", "thresholds", "debug_view", "bones_as_lines", "scenery", "pixels"}) {
+       {"split", "split_at", "thresholds", "debug_view", "plain_bodies", "bones_as_lines", "scenery", "pixels"}) {
     EXPECT_TRUE(idle_reason(key, tuning, {})) << key;
   }
 }

@@ -104,7 +104,9 @@ TEST_F(Legends, SayThePixelsOfAnErrorAndWhoWasNotMeasured) {
   EXPECT_THAT(words_of(part), ElementsAre("below 0.25 px", "0.25 to 0.5 px", "0.5 to 1 px", "1 to 2 px", "2 to 4 px",
                                           "4 px or more", "not measured"));
   EXPECT_EQ(part.steps[2].color, debug_color(tuning, {.error_px = 0.6F}));
-  EXPECT_EQ(part.steps.back().color, debug_color(tuning, {.error_px = -1.0F}));
+  EXPECT_EQ(part.steps.back().color, 0U);
+  tuning.plain_bodies = true;
+  EXPECT_EQ(legend_of_view(DebugView::error).steps.back().color, plain_body_color);
 }
 
 TEST_F(Legends, OfAMeasureAreABarWithTicksInUnits) {

@@ -204,6 +204,16 @@ std::optional<CameraPose> camera_pose_in(const std::string& text) {
   return numbers && can_be_a_camera(*numbers) ? std::optional(camera_from(*numbers)) : std::nullopt;
 }
 
+ValueReader ends_of_line(std::optional<std::pair<glm::dvec2, glm::dvec2>>& target) {
+  return [&target](const std::string& text) -> Complaint {
+    const auto numbers = numbers_in(text).value_or(std::vector<double>());
+    const bool is_line = numbers.size() == 4 && (numbers[0] != numbers[2] || numbers[1] != numbers[3]);
+    if (!is_line) return "must be X1,Y1,X2,Y2: two points in metres of the file";
+    target.emplace(glm::dvec2(numbers[0], numbers[1]), glm::dvec2(numbers[2], numbers[3]));
+    return {};
+  };
+}
+
 std::string names_of_times() {
   std::vector<std::string> names;
   names.reserve(times_of_day.size());

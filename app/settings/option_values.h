@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 #include "app/character/cast_entry.h"
 #include "app/settings/settings.h"
 #include "engine/base/text/joined.h"
@@ -70,6 +72,8 @@ ValueReader camera_path(DemoOptions& options);        ///< none, orbit, pan, or 
 std::optional<double> finite_number_in(const std::string& text);
 /// Returns a camera of x,y,z,yaw,pitch[,fov], in metres and degrees; nothing where the text is none.
 std::optional<CameraPose> camera_pose_in(const std::string& text);
+/// Reads X1,Y1,X2,Y2, the two ends of a line in metres.
+ValueReader ends_of_line(std::optional<std::pair<glm::dvec2, glm::dvec2>>& target);
 ValueReader quality(DemoOptions& options);   ///< one of `qualities`, or auto
 ValueReader sun(render::SceneLight& light);  ///< a time of day, or elevation,azimuth in degrees
 /// Reads the name of a SIMD target that this build has and this machine runs.

@@ -76,17 +76,20 @@ ParsedCommand parse_inspect(const std::vector<std::string>& arguments) {
   reader.value("--measures", "FILE.csv",
                "Write place, speed and density of each person at each row, with PedPy's columns",
                file_that_ends_in(".csv", options.measures));
-  declare_track_part(reader, "Write this part of its clock only (all of it)", options.tracks);
+  reader.value("--count-line", "X1,Y1,X2,Y2",
+               "Count the people who pass a line between two points of the file, in metres",
+               ends_of_line(options.count_line));
+  declare_track_part(reader, "Measure this part of its clock only (all of it)", options.tracks);
   reader.value("--cut-off", "METRES", "How far a person's own ground reaches at most, for the density, 0.1 to 10 (1)",
                number_between(options.cut_off.emplace(Tuning().density_cut_off), 0.1F, 10.0F));
   reader.footer(
       "Examples:\n  throng inspect fox.glb --strict\n  throng inspect walk.csv --unit cm --fps 16 --measures "
       "people.csv");
   if (auto stop = reader.read(arguments)) return *stop;
-  for (const char* const option : {"--track-part", "--cut-off"}) {
-    if (options.measures.empty() && reader.given(option))
-      return UsageError{std::string(option) + ": goes with --measures"};
-  }
+  const bool is_measured = !options.measures.empty() || options.count_line;
+  if (!is_measured && reader.given("--track-part"))
+    return UsageError{"--track-part: goes with --measures or --count-line"};
+  if (options.measures.empty() && reader.given("--cut-off")) return UsageError{"--cut-off: goes with --measures"};
   options.tracks.reading.up = options.placement.up == anim::UpAxis::y && reader.given("--up") ? TrackUp::y : TrackUp::z;
   return options;
 }

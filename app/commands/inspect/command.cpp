@@ -9,16 +9,14 @@
 #include "app/character/clip_files.h"
 #include "app/character/model_file.h"
 #include "app/commands/inspect/report.h"
+#include "app/commands/inspect/tracks_report.h"
 #include "app/files/exit_status.h"
-#include "app/people/measure/measure_table.h"
-#include "app/settings/settings.h"
 #include "engine/anim/asset/model.h"
 #include "engine/anim/bake/character.h"
 #include "engine/anim/rig/rig_map.h"
 #include "engine/anim/survey/placement_guess.h"
 #include "engine/base/files/output_file.h"
 #include "engine/base/json/json.h"
-#include "engine/base/text/joined.h"
 #include "engine/tracks/read.h"
 
 namespace throng::app {
@@ -194,32 +192,11 @@ std::vector<InspectedModel> placed_models(anim::ImportedFile& file, const anim::
   return models;
 }
 
-Status write_measures(const Trajectories& tracks, const InspectOptions& options) {
-  const auto [one_end, other_end] = options.tracks.part.value_or(std::pair(tracks.first_seconds, tracks.last_seconds));
-  const double first = std::min(one_end, other_end), last = std::max(one_end, other_end);
-  if (last < tracks.first_seconds || first > tracks.last_seconds) {
-    return Error{"--track-part: " + tracks.file + " has rows from " + fixed(tracks.first_seconds, 2) + " to " +
-                 fixed(tracks.last_seconds, 2) + " s of its clock"};
-  }
-  const float cut_off = options.cut_off.value_or(Tuning().density_cut_off);
-  Status written = write_whole_file(options.measures, measure_table(tracks, first, last, cut_off));
-  if (written) end_with(exit_done, "wrote " + options.measures);
-  return written;
-}
-
-Status inspect_tracks(const InspectOptions& options) {
-  const auto tracks = read_trajectories(options.model, options.tracks.reading);
-  if (!tracks) return tracks.error();
-  if (!options.measures.empty()) {
-    if (Status written = write_measures(*tracks, options); !written) return written;
-  }
-  return print(options.json ? tracks_json(*tracks) : tracks_text(*tracks));
-}
-
 Status inspect(const InspectOptions& options) {
   if (looks_like_trajectories(options.model)) return inspect_tracks(options);
-  if (!options.measures.empty()) {
-    return Error{"--measures: " + options.model + " is no file of trajectories; name one, or leave the option out"};
+  if (!options.measures.empty() || options.count_line) {
+    return Error{std::string(options.count_line ? "--count-line: " : "--measures: ") + options.model +
+                 " is no file of trajectories; name one, or leave the option out"};
   }
   if (options.tracks.reading != TrackReading{.up = options.tracks.reading.up}) {
     return Error{options.model + ": it is no file of trajectories; leave out --fps and what else is for their rows"};

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 #include "app/settings/settings.h"
 #include "engine/anim/import/import.h"
 #include "engine/anim/survey/placement_guess.h"
@@ -17,10 +19,11 @@ struct InspectOptions {
   std::vector<std::string> clips_from;   ///< files whose clips are added to the largest model
   anim::PlacementChoice placement = {};  ///< size and place of all models; what it leaves open is guessed
   import::ImportOptions reading{};
-  TrajectoryOptions tracks{};         ///< how a file of trajectories is read, and the part of it in the table
+  TrajectoryOptions tracks{};         ///< how a file of trajectories is read, and the part of it that is measured
   std::string measures = {};          ///< a table of the people of trajectories; empty: none
   std::optional<float> cut_off = {};  ///< Tuning::density_cut_off; unset: as the demo has it
-  bool json = false;                  ///< one JSON object on standard output instead of tables for a person
+  std::optional<std::pair<glm::dvec2, glm::dvec2>> count_line = {};  ///< ends of a line: who passes it is counted
+  bool json = false;  ///< one JSON object on standard output instead of tables for a person
 };
 
 /// Runs `throng inspect`. Returns the exit status; a file that is refused gives one line on stderr.

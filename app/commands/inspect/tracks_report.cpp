@@ -1,15 +1,22 @@
-// The answer about a file of trajectories.
+#include "app/commands/inspect/tracks_report.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
-#include "app/commands/inspect/report.h"
+#include "app/commands/inspect/command.h"
+#include "app/files/exit_status.h"
+#include "app/people/measure/line_counts.h"
+#include "app/people/measure/measure_table.h"
+#include "engine/base/files/output_file.h"
 #include "engine/base/json/json.h"
 #include "engine/base/text/joined.h"
+#include "engine/tracks/read.h"
 
 namespace throng::app {
 namespace {
@@ -67,6 +74,8 @@ std::string range_text(const Extent& extent, int decimals) {
   return fixed(extent.least, decimals) + " to " + fixed(extent.most, decimals);
 }
 
+double flow_of(std::size_t people, const LineCounts& passed) { return static_cast<double>(people) / passed.seconds; }
+
 std::string plan_text(const GroundPlan& plan) {
   if (plan.is_empty()) return "none in or beside the file";
   std::vector<std::string> parts;
@@ -81,11 +90,44 @@ std::string plan_text(const GroundPlan& plan) {
   return joined(parts, ", ", " and ");
 }
 
+std::string passages_text(const LineCounts& passed) {
+  std::string text = counted_people(passed.to_left) + " to the left and " + with_thousands(passed.to_right) +
+                     " to the right in " + fixed(passed.seconds, 2) + " s";
+  if (passed.seconds <= 0.0) return text;
+  return text + ", " + fixed(flow_of(passed.to_left, passed), 3) + " and " +
+         fixed(flow_of(passed.to_right, passed), 3) + " people a second";
+}
+
+Json passages_json(const LineCounts& passed) {
+  const auto flow = [&](std::size_t people) { return passed.seconds > 0.0 ? Json(flow_of(people, passed)) : Json(); };
+  return {{"seconds", passed.seconds},
+          {"to_left", passed.to_left},
+          {"to_left_a_second", flow(passed.to_left)},
+          {"to_right", passed.to_right},
+          {"to_right_a_second", flow(passed.to_right)}};
+}
+
 Json pair_json(double first, double second) { return Json::array({first, second}); }
+
+/// Returns the first and the last second that are measured. Errors: the file has no row between them.
+Result<std::pair<double, double>> measured_part(const Trajectories& tracks, const InspectOptions& options) {
+  const auto [one_end, other_end] = options.tracks.part.value_or(std::pair(tracks.first_seconds, tracks.last_seconds));
+  const std::pair part(std::min(one_end, other_end), std::max(one_end, other_end));
+  if (part.second >= tracks.first_seconds && part.first <= tracks.last_seconds) return part;
+  return Error{"--track-part: " + tracks.file + " has rows from " + fixed(tracks.first_seconds, 2) + " to " +
+               fixed(tracks.last_seconds, 2) + " s of its clock"};
+}
+
+Status write_measures(const Trajectories& tracks, const InspectOptions& options, double first, double last) {
+  const float cut_off = options.cut_off.value_or(Tuning().density_cut_off);
+  Status written = write_whole_file(options.measures, measure_table(tracks, first, last, cut_off));
+  if (written) end_with(exit_done, "wrote " + options.measures);
+  return written;
+}
 
 }  // namespace
 
-std::string tracks_text(const Trajectories& tracks) {
+std::string tracks_text(const Trajectories& tracks, const LineCounts* passed) {
   const TrackSums sums = sums_of(tracks);
   std::string text = tracks.file + ": " + tracks.format + ", " + counted_people(tracks.persons.size()) + ", " +
                      counted(tracks.row_count, "row") + "\n";
@@ -98,6 +140,7 @@ std::string tracks_text(const Trajectories& tracks) {
   text +=
       std::string("  angles  ") + (sums.has_headings ? "the file says where people look" : "none in the file") + "\n";
   text += "  plan    " + plan_text(tracks.plan) + "\n";
+  if (passed) text += "  line    " + passages_text(*passed) + "\n";
   if (!tracks.remarks.empty() || !tracks.report.found.empty()) text += "\n";
   for (const std::string& remark : tracks.remarks) text += "noted: " + remark + "\n";
   for (const OddityCount& found : tracks.report.found) {
@@ -108,7 +151,7 @@ std::string tracks_text(const Trajectories& tracks) {
   return text;
 }
 
-std::string tracks_json(const Trajectories& tracks) {
+std::string tracks_json(const Trajectories& tracks, const LineCounts* passed) {
   const TrackSums sums = sums_of(tracks);
   Json report = Json::array();
   for (const OddityCount& found : tracks.report.found) {
@@ -134,7 +177,25 @@ std::string tracks_json(const Trajectories& tracks) {
                {"rows_a_second", tracks.rows_a_second},
                {"said", tracks.remarks}};
   json["stature_m"] = sums.stature.is_empty() ? Json() : pair_json(sums.stature.least, sums.stature.most);
+  if (passed) json["count_line"] = passages_json(*passed);
   return json.dump(2) + "\n";
+}
+
+Status inspect_tracks(const InspectOptions& options) {
+  const auto tracks = read_trajectories(options.model, options.tracks.reading);
+  if (!tracks) return tracks.error();
+  const auto part = measured_part(*tracks, options);
+  if (!part) return part.error();
+  const auto [first, last] = *part;
+  if (!options.measures.empty()) {
+    if (Status written = write_measures(*tracks, options, first, last); !written) return written;
+  }
+  std::optional<LineCounts> passed;
+  if (options.count_line) {
+    passed = count_passages(*tracks, options.count_line->first, options.count_line->second, first, last);
+  }
+  const LineCounts* const counts = passed ? &*passed : nullptr;
+  return print(options.json ? tracks_json(*tracks, counts) : tracks_text(*tracks, counts));
 }
 
 }  // namespace throng::app

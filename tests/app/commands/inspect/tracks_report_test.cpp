@@ -1,3 +1,5 @@
+#include "app/commands/inspect/tracks_report.h"
+
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -6,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/commands/inspect/report.h"
+#include "app/people/measure/line_counts.h"
 #include "engine/base/json/json.h"
 #include "tests/app/program_run.h"
 #include "tests/app/temporary_folder.h"
@@ -60,6 +62,25 @@ TEST_F(MeasuresOfTracks, AreWrittenOfThePartThatIsNamed) {
   EXPECT_EQ(text.str().find("\n1,61,"), std::string::npos);
 }
 
+TEST(TracksReport, SaysWhoPassesALine) {
+  const LineCounts passed{.to_left = 1200, .to_right = 1, .seconds = 8.0};
+  EXPECT_EQ(tracks_text(sample()).find("  line"), std::string::npos);
+  EXPECT_THAT(tracks_text(sample(), &passed), HasSubstr("  line    1,200 people to the left and 1 to the right in "
+                                                        "8.00 s, 150.000 and 0.125 people a second\n"));
+  const LineCounts at_once;
+  EXPECT_THAT(tracks_text(sample(), &at_once), HasSubstr(" to the right in 0.00 s\n"));
+  const auto json = parse_json(tracks_json(sample(), &passed));
+  ASSERT_TRUE(json) << json.error().message;
+  EXPECT_EQ((*json)["count_line"]["to_left"].get<int>(), 1200);
+  EXPECT_EQ((*json)["count_line"]["to_right_a_second"].get<double>(), 0.125);
+}
+
+TEST_F(MeasuresOfTracks, CountTheTwoStreamsOfTheSampleAtALine) {
+  const ProgramRun run = run_program({"inspect", crossing_, "--count-line", "0,-3,0,3"});
+  EXPECT_EQ(run.exit_status, 0);
+  EXPECT_THAT(run.output, HasSubstr("  line    0 people to the left and 12 to the right in 19.70 s, 0.000 and 0.609 "));
+}
+
 TEST_F(MeasuresOfTracks, AreRefusedOfAnEmptyPartAndOfAModel) {
   const std::string table = folder_ / "people.csv", model = THRONG_SOURCE_DIR "/assets/samples/robot.glb";
   EXPECT_THAT(run_program({"inspect", crossing_, "--measures", table, "--track-part", "50,60"}).errors,
@@ -67,6 +88,10 @@ TEST_F(MeasuresOfTracks, AreRefusedOfAnEmptyPartAndOfAModel) {
   EXPECT_THAT(run_program({"inspect", model, "--measures", table}).errors, HasSubstr(" is no file of trajectories; "));
   EXPECT_THAT(run_program({"inspect", crossing_, "--cut-off", "1"}).errors,
               HasSubstr("--cut-off: goes with --measures"));
+  EXPECT_THAT(run_program({"inspect", model, "--count-line", "0,0,1,0"}).errors,
+              HasSubstr("--count-line: " + model + " is no file of trajectories; "));
+  EXPECT_THAT(run_program({"inspect", crossing_, "--track-part", "1,2"}).errors,
+              HasSubstr("--track-part: goes with --measures or --count-line"));
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 

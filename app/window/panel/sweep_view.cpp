@@ -18,6 +18,7 @@ constexpr float plot_height = 132, axis_width = 44, stop_margin = 18;
 constexpr std::array<const char*, 4> units = {" PUs", " KiB", " a tile", " \xC2\xB5s"};
 
 std::string with_unit(SweptValue value, double number) {
+  if (value == SweptValue::pus && number == 1.0) return "1 PU";
   return with_thousands(fixed(number, 0)) + units.at(static_cast<std::size_t>(value));
 }
 

@@ -3,7 +3,7 @@
 namespace throng::app {
 namespace {
 
-// Leaves out pauses and ways to look, which are not missed.
+// Leaves out pauses, ways to look and the pace of the window, which are not missed.
 Tuning worth_keeping(Tuning tuning) {
   const Tuning standard;
   tuning.paused = standard.paused;
@@ -14,6 +14,8 @@ Tuning worth_keeping(Tuning tuning) {
   tuning.plain_bodies = standard.plain_bodies;
   tuning.ids = standard.ids;
   tuning.bones_as_lines = standard.bones_as_lines;
+  tuning.frame_limit = standard.frame_limit;
+  tuning.vertical_sync = standard.vertical_sync;
   return tuning;
 }
 

@@ -41,12 +41,14 @@ TEST(UnsavedWork, HasTheValuesThatWaitToo) {
   EXPECT_THAT(parts(unsaved, with_error(3)), ElementsAre("the values")) << "nothing waited, so one is kept";
 }
 
-TEST(UnsavedWork, IsNoWayToLook) {
+TEST(UnsavedWork, IsNoWayToLookAndNoPaceOfTheWindow) {
   const UnsavedWork unsaved{Tuning()};
   Tuning looked_at;
   looked_at.paused = true;
   looked_at.inspection.thresholds = true;
   looked_at.debug_view = DebugView::error;
+  looked_at.frame_limit = 30;
+  looked_at.vertical_sync = false;
   EXPECT_THAT(parts(unsaved, looked_at), IsEmpty());
 }
 

@@ -117,6 +117,14 @@ void WindowRequests::take(const WindowRequest& request) {
   std::visit([this](const auto& asked) { carry_out(asked); }, request);
 }
 
+void WindowRequests::take(const CameraRequest& request) {
+  session_.camera.take(request, session_.show);
+  const auto* const kept = std::get_if<KeepBookmark>(&request);
+  if (kept == nullptr) return;
+  const std::string key = std::to_string(kept->place + 1);
+  messages().say("Kept this place of the camera as " + key + ". Key " + key + " goes there.");
+}
+
 void WindowRequests::take(const ViewerRequest& request) {
   const bool applies = std::holds_alternative<ApplyPreview>(request);
   const auto roles = applies ? previewed_roles(session_.show) : std::nullopt;

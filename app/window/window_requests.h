@@ -36,7 +36,7 @@ class WindowRequests {
     closes_ |= std::holds_alternative<Quit>(request);
   }  // the loop does the rest
   void take(const FileRequest& request) { files_.take(request); }
-  void take(const CameraRequest& request) { session_.camera.take(request, session_.show); }
+  void take(const CameraRequest& request);
   void take(const ViewerRequest& request);
   void take(const ReplayRequest& /*request*/) {}  // there is no replay
   void carry_out(const SelectAt& asked);

@@ -95,6 +95,7 @@ TEST_F(CamerasOfAWindow, AreTakenFromTheFilmByFlyingAndGivenBackByHome) {
 TEST_F(CamerasOfAWindow, AreKeptUnderADigit) {
   const Json before = next_map()["camera"];
   xdotool({"key", "ctrl+3"});
+  wait_for_message("Kept this place of the camera as 3. Key 3 goes there.");
   wait_for("a place that is kept", [](const Json& map) { return map["report"]["cameras"]["kept"][2].get<bool>(); });
   press("f");
   ASSERT_NE(next_map()["camera"], before);

@@ -1,12 +1,19 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <string>
 
 #include "app/settings/quality.h"
 
 namespace throng::app {
+
+/// Returns the time that a frame takes at least by Tuning::frame_limit; 0: there is no limit.
+inline std::chrono::nanoseconds least_frame_time(const Tuning& tuning) {
+  return tuning.frame_limit > 0 ? std::chrono::nanoseconds(std::chrono::seconds(1)) / tuning.frame_limit
+                                : std::chrono::nanoseconds(0);
+}
 
 /// Says which values of a PictureCost a person has set by hand.
 struct SetByHand {

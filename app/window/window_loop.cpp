@@ -4,6 +4,8 @@
 #include <chrono>
 #include <optional>
 #include <string>
+#include <thread>
+#include <utility>
 
 #include "app/settings/preset.h"
 #include "app/show/figures/run_figures.h"
@@ -12,7 +14,6 @@
 #include "app/show/request/crowd_file.h"
 #include "app/show/show.h"
 #include "app/show/show_view.h"
-#include "app/window/frame_pace.h"
 #include "app/window/full_screen.h"
 #include "app/window/panel/overlay.h"
 #include "app/window/stop_signals.h"
@@ -117,7 +118,7 @@ class WindowLoop {
     failed_ = picture_.present(overlay_, is_used(input));
     requests_.take_after_drawing(requests);
     picture_.build_saved_shaders(now);
-    pace_.end_frame(now, session_.editor.tuning());
+    keep_pace(now);
     const double frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - now).count();
     const auto work = picture_.drawn_at() - now;
     if (picture_.is_seen())
@@ -132,7 +133,16 @@ class WindowLoop {
   // A limit of few frames a second does not slow the crowd down.
   double longest_time() const {
     return std::max(longest_step,
-                    2.0 * std::chrono::duration<double>(FramePace::least_time(session_.editor.tuning())).count());
+                    2.0 * std::chrono::duration<double>(least_frame_time(session_.editor.tuning())).count());
+  }
+
+  // Ends a frame no sooner than the limit lets the next one begin.
+  void keep_pace(Clock::time_point began) {
+    const Tuning& tuning = session_.editor.tuning();
+    if (std::exchange(follows_display_, tuning.vertical_sync) != tuning.vertical_sync) {
+      session_.show.painter().context().set_vertical_sync(tuning.vertical_sync);
+    }
+    std::this_thread::sleep_until(began + least_frame_time(tuning));
   }
 
   bool stands_still() const {
@@ -195,12 +205,12 @@ class WindowLoop {
   Overlay overlay_;
   WindowRequests requests_{session_, overlay_};
   WindowPicture picture_{session_.show, session_.messages()};
-  FramePace pace_;
   FullScreen full_screen_{session_.show.painter().context().window()};
   Clock::time_point last_frame_ = Clock::now();
   Status failed_ = Done{};
   bool done_ = false;
-  int still_frames_ = 0;  // in a row, in which nothing happened
+  bool follows_display_ = true;  // a window is opened so
+  int still_frames_ = 0;         // in a row, in which nothing happened
 };
 
 }  // namespace

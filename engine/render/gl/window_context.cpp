@@ -41,13 +41,14 @@ class WindowContext final : public Context {
       return Error{"no window with OpenGL 4.5 can be opened (" + last_glfw_error() + ")"};
     }
     glfwMakeContextCurrent(window_);
-    glfwSwapInterval(options.vertical_sync ? 1 : 0);
+    set_vertical_sync(options.vertical_sync);
     return load_functions(glfwGetProcAddress);
   }
 
   const char* kind() const override { return "window"; }
   GLFWwindow* window() const override { return window_; }
   void swap_buffers() override { glfwSwapBuffers(window_); }
+  void set_vertical_sync(bool on) override { glfwSwapInterval(on ? 1 : 0); }
 
   glm::ivec2 framebuffer_size() const override {
     glm::ivec2 size{0, 0};

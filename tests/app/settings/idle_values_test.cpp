@@ -96,8 +96,8 @@ const std::map<std::string_view, std::string> other_values{
 };
 
 /// A window or the overlay alone takes these; no crowd sees them.
-const std::set<std::string_view> of_windows{"ids",        "picture_size", "holds_rate",
-                                            "frame_rate", "frame_limit",  "vertical_sync"};
+const std::set<std::string_view> unseen{"ids",        "picture_size", "holds_rate",
+                                        "frame_rate", "frame_limit",  "vertical_sync"};
 
 std::vector<CharacterSource> mannequin() {
   static const CharacterSource loaded = *load_built_in("", {.wardrobe = true});
@@ -221,10 +221,9 @@ void expect_effects_as_said(const Tuning& tuning, const Situation& situation, co
   ASSERT_EQ(before.refusal(), "") << where;
   for (const TuningValue& value : tuning_values()) {
     if (value.key == "cost_blender_packet_ns") continue;  // nobody blends so soon
-    if (of_windows.contains(value.key)) continue;
+    if (unseen.contains(value.key)) continue;
     if (value.key == "plain_bodies" && tuning.debug_view == DebugView::density) continue;  // all people have one
-    // Nor is anybody so far away that the error limit would drop bones.
-    if (value.key == "bone_lod" && tuning.lod.rule == LodRule::budget) continue;
+    if (value.key == "bone_lod" && tuning.lod.rule == LodRule::budget) continue;  // no agent is far enough away
     const auto other = other_values.find(value.key);
     ASSERT_NE(other, other_values.end()) << value.key << " needs another value in the table above";
     Tuning changed = tuning;

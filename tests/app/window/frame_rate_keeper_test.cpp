@@ -140,5 +140,11 @@ TEST(BestPicture, OfALowQualityIsThatOfAHighOne) {
   EXPECT_EQ(FrameRateKeeper().at_best(low).triangle_budget, 1234) << "no quality has that, so it was set by hand";
 }
 
+TEST(FrameLimit, GivesEachFrameTheTimeThatTheLimitLeaves) {
+  using namespace std::chrono_literals;
+  EXPECT_EQ(least_frame_time({.frame_limit = 8}), 125ms);
+  EXPECT_EQ(least_frame_time({}), 0ms) << "no limit";
+}
+
 }  // namespace
 }  // namespace throng::app::frame_rate_keeper_test

@@ -12,7 +12,7 @@ namespace throng::app {
 class OverlayDriver {
  public:
   /// The window in pixels. It is as tall as the longest tab, so that nothing that is clicked at is scrolled away.
-  static constexpr int width = 1280, height = 1360;
+  static constexpr int width = 1280, height = 1500;
   int shown_height = height;  ///< of the frames to come
 
   explicit OverlayDriver(const std::string& fonts = std::string(THRONG_SOURCE_DIR) + "/assets/fonts");

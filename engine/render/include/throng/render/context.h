@@ -63,6 +63,10 @@ class Context {
   /// Shows what was drawn into the window, if there is one.
   virtual void swap_buffers() {}
 
+  /// Shows the next pictures when the display is refreshed, or at once. A window begins as WindowOptions says. The
+  /// context must be current.
+  virtual void set_vertical_sync(bool /*on*/) {}
+
   const std::string& version() const { return version_; }
   const std::string& renderer() const { return renderer_; }
 

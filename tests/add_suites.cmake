@@ -15,7 +15,7 @@ function(throng_add_suites folder program labels times_as_slow)
   foreach(suite IN LISTS suites)
     string(REGEX MATCHALL "\n  " tests "${suite}")
     list(LENGTH tests count)
-    math(EXPR seconds "50 + 10 * ${count}")
+    math(EXPR seconds "50 + 20 * ${count}")  # some tests open four shows, each in seconds on a busy core
     if(folder STREQUAL assets)  # programs make their files anew, which takes minutes on a busy core
       math(EXPR seconds "600 + ${seconds}")
     endif()

@@ -22,7 +22,7 @@ struct InspectOptions {
   TrajectoryOptions tracks{};         ///< how a file of trajectories is read, and the part of it that is measured
   std::string measures = {};          ///< a table of the people of trajectories; empty: none
   std::optional<float> cut_off = {};  ///< Tuning::density_cut_off; unset: as the demo has it
-  std::optional<std::pair<glm::dvec2, glm::dvec2>> count_line = {};  ///< ends of a line: who passes it is counted
+  std::optional<std::pair<glm::dvec2, glm::dvec2>> count_line = {};  ///< ends of a line whose passages are counted
   bool json = false;  ///< one JSON object on standard output instead of tables for a person
 };
 

@@ -22,7 +22,7 @@ class TuningPair {
   static constexpr std::size_t longest_name = 63;  ///< bytes
 
   TuningPair() = default;
-  TuningPair(std::optional<Tuning> other, bool shows_b) : other_(std::move(other)), shows_b_(shows_b) {}
+  TuningPair(const std::optional<Tuning>& other, bool shows_b) : other_(other), shows_b_(shows_b) {}
 
   [[nodiscard]] bool shows_b() const { return shows_b_; }
   [[nodiscard]] bool has_two() const { return other_.has_value(); }

@@ -140,7 +140,7 @@ std::string tracks_text(const Trajectories& tracks, const LineCounts* passed) {
   text +=
       std::string("  angles  ") + (sums.has_headings ? "the file says where people look" : "none in the file") + "\n";
   text += "  plan    " + plan_text(tracks.plan) + "\n";
-  if (passed) text += "  line    " + passages_text(*passed) + "\n";
+  if (passed != nullptr) text += "  line    " + passages_text(*passed) + "\n";
   if (!tracks.remarks.empty() || !tracks.report.found.empty()) text += "\n";
   for (const std::string& remark : tracks.remarks) text += "noted: " + remark + "\n";
   for (const OddityCount& found : tracks.report.found) {
@@ -177,7 +177,7 @@ std::string tracks_json(const Trajectories& tracks, const LineCounts* passed) {
                {"rows_a_second", tracks.rows_a_second},
                {"said", tracks.remarks}};
   json["stature_m"] = sums.stature.is_empty() ? Json() : pair_json(sums.stature.least, sums.stature.most);
-  if (passed) json["count_line"] = passages_json(*passed);
+  if (passed != nullptr) json["count_line"] = passages_json(*passed);
   return json.dump(2) + "\n";
 }
 

@@ -41,7 +41,7 @@ template <typename Asked>
 const Asked* last_of(const Requests& requests) {
   const Asked* last = nullptr;
   for (const Request& request : requests) {
-    if (const Asked* const found = as<Asked>(request)) last = found;
+    if (const auto* const found = as<Asked>(request)) last = found;
   }
   return last;
 }

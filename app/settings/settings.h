@@ -119,7 +119,7 @@ struct Tuning {
   float density_cut_off = 1.0F;  ///< metres that a person's own ground reaches at most
   float trail_seconds = 0.0F;    ///< a recorded crowd's ways of so many seconds are drawn; 0: none
   bool plain_bodies = false;     ///< bodies without a colour of the debug view are grey
-  bool ids = false;              ///< the number of each person, by a file its id, above the head
+  bool ids = false;              ///< above heads stand the ids of a file, or the numbers of agents
   bool bones_as_lines = false;
   bool scenery = true;        ///< what stands around the crowd
   int picture_size = 100;     ///< per cent of a window's width and height in which the scene is drawn, 25 to 100

@@ -75,7 +75,7 @@ float column_share(int width, float scale) {
 }
 
 struct Overlay::State {
-  ImGuiContext* before = ImGui::GetCurrentContext();
+  ImGuiContext* before = ImGui::GetCurrentContext();  // in use again once this overlay ends
   Context context = make_context();
   Theme theme;
   UiMap map;

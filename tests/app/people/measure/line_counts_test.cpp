@@ -40,7 +40,7 @@ TEST(LineCounts, AreOfBothDirectionsSeenFromTheBeginning) {
   EXPECT_EQ(count_passages(tracks, east, west, 0.0, 100.0).to_left, 1U) << "from the other end";
 }
 
-TEST(LineCounts, LeaveOutWhoPassesBesideTheLine) {
+TEST(LineCounts, LeaveOutPeopleWhoPassBesideTheLine) {
   EXPECT_EQ(counts_of(people({{{-0.1F, -1}, {-0.1F, 1}}, {{4.1F, -1}, {4.1F, 1}}})), Counts(0, 0));
   EXPECT_EQ(counts_of(people({{{-1, -1}, {1, 1}}, {{-1.1F, -1}, {0.9F, 1}}})), Counts(1, 0)) << "aslant";
 }
